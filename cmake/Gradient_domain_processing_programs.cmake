@@ -1,0 +1,49 @@
+# What the examples, tests and benchmarks share: one program a source file.
+
+include_guard(GLOBAL)
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES AND PROJECT_IS_TOP_LEVEL)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug, Release, RelWithDebInfo or MinSizeRel" FORCE)
+endif()
+
+# gradient_domain_processing_programs(<kind> [EXCEPT <source>...] [WORKING_DIRECTORY <dir>])
+#
+# Every *.cpp in the current folder becomes a program of its name and, unless the kind is benchmark, a CTest test
+# <kind>/<name> that runs it. Targets are <kind>_<name>, so that a test and an example may share a name.
+function(gradient_domain_processing_programs kind)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "WORKING_DIRECTORY" "EXCEPT")
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  foreach(source IN LISTS sources)
+    get_filename_component(file ${source} NAME)
+    get_filename_component(name ${source} NAME_WE)
+    if(file IN_LIST arg_EXCEPT)
+      continue()
+    endif()
+    set(target ${kind}_${name})
+    add_executable(${target} ${source})
+    set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name} CXX_EXTENSIONS OFF)
+    target_link_libraries(${target} PRIVATE CGAL::Gradient_domain_processing)
+    if(NOT kind STREQUAL "benchmark")
+      add_test(NAME ${kind}/${name} COMMAND ${target} WORKING_DIRECTORY ${arg_WORKING_DIRECTORY})
+      set_tests_properties(${kind}/${name} PROPERTIES TIMEOUT 900)
+    endif()
+  endforeach()
+endfunction()
+
+# gradient_domain_filter, built once for whoever needs it; without Boost.Program_options there is no such target.
+function(gradient_domain_processing_filter)
+  set(source ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../examples/Gradient_domain_processing/gradient_domain_filter.cpp)
+  if(TARGET gradient_domain_filter OR NOT EXISTS ${source})
+    return()
+  endif()
+  find_package(Boost QUIET COMPONENTS program_options)
+  if(NOT TARGET Boost::program_options)
+    message(STATUS "Boost.Program_options was not found: gradient_domain_filter will not be built")
+    return()
+  endif()
+  add_executable(gradient_domain_filter ${source})
+  set_target_properties(gradient_domain_filter PROPERTIES CXX_EXTENSIONS OFF)
+  target_compile_definitions(gradient_domain_filter PRIVATE
+    GRADIENT_DOMAIN_PROCESSING_VERSION="${Gradient_domain_processing_VERSION}")
+  target_link_libraries(gradient_domain_filter PRIVATE CGAL::Gradient_domain_processing Boost::program_options)
+endfunction()

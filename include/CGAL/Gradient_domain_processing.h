@@ -1,0 +1,24 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_H
+#define CGAL_GRADIENT_DOMAIN_PROCESSING_H
+
+/// \file Gradient_domain_processing.h
+/// Includes all of the package.
+
+#include <CGAL/Gradient_domain_processing/enhance_details.h>
+#include <CGAL/Gradient_domain_processing/estimate_curvatures.h>
+#include <CGAL/Gradient_domain_processing/fit_to_gradients.h>
+#include <CGAL/Gradient_domain_processing/fit_to_normals.h>
+#include <CGAL/Gradient_domain_processing/metrics.h>
+#include <CGAL/Gradient_domain_processing/operators.h>
+#include <CGAL/Gradient_domain_processing/process_signal.h>
+#include <CGAL/Gradient_domain_processing/sharpen.h>
+#include <CGAL/Gradient_domain_processing/smooth.h>
+#include <CGAL/Gradient_domain_processing/stitch.h>
+
+#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_H

@@ -1,0 +1,100 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_ENHANCE_DETAILS_H
+#define CGAL_GRADIENT_DOMAIN_PROCESSING_ENHANCE_DETAILS_H
+
+#include <CGAL/Gradient_domain_processing/internal/filter_positions.h>
+
+namespace CGAL {
+namespace Gradient_domain_processing {
+
+namespace internal {
+
+template <class Solver, class TriangleMesh, class NamedParameters>
+Error_code enhance_details(Solver solver, TriangleMesh& tm, const NamedParameters& np)
+{
+  using namespace CGAL::internal_np;
+  const auto second = parameters::with(np)
+    .curvature_metric_kind(parameter(np, sharpening_metric_kind, Curvature_metric_kind::EMBEDDING))
+    .curvature_weight(parameter(np, sharpening_curvature_weight, 0.02));
+  return change_positions(solver, tm, np, [&] {
+    if(const Error_code code = solver.filter_points())
+      return code;
+    if(const Error_code code = solver.set_metric_from_parameters(second))
+      return code;
+    if(const Error_code code = solver.set_gradient_weight(parameter(np, sharpening_weight, 1e-5)))
+      return code;
+    if(const Error_code code = solver.set_gradient_scale(parameter(np, sharpening_scale, 4.)))
+      return code;
+    return solver.filter_points();
+  });
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * enhances the details of a noisy mesh in two passes: the first smooths the noise away, the second sharpens what is left with
+ * a narrower filter (paper, section 2.4 and Figure 4). The passes share order and symbolic factorization.
+ *
+ * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, with a vertex point map that can be written
+ *
+ * \param tm the triangle mesh; its points are moved
+ * \param np all the \ref bgl_namedparameters "Named Parameters" of `smooth()` but `number_of_iterations`: they describe the first
+ *        pass, which an edge-aware metric makes keep sharp details; and
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{sharpening_weight}
+ *     \cgalParamDescription{\f$ \beta \f$ of the second pass; as `gradient_weight`. Should be less than that of the first, whose noise it would amplify otherwise.}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{`1e-5`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{sharpening_scale}
+ *     \cgalParamDescription{\f$ \lambda \f$ of the second pass; useful: 2 to 8}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{`4`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{sharpening_metric_kind}
+ *     \cgalParamDescription{the metric of the second pass, as `curvature_metric_kind`; estimated on the result of the first}
+ *     \cgalParamType{`Curvature_metric_kind`, or a functor model of `CurvatureStretch`}
+ *     \cgalParamDefault{`Curvature_metric_kind::EMBEDDING`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{sharpening_curvature_weight}
+ *     \cgalParamDescription{\f$ \epsilon \f$ of the second pass, as `curvature_weight`}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{`0.02`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return `OK`; or what is wrong, and then the mesh is as it was
+ */
+template <class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Error_code enhance_details(TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return internal::enhance_details(make_gradient_domain_solver(tm, np), tm, np);
+}
+
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * does so to a region of the mesh. Vertices that have a face outside of the region do not move, to the bit.
+ *
+ * \param tm the triangle mesh
+ * \param region a range of `face_descriptor`; may be empty
+ * \param np as above
+ */
+template <class FaceRange, class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_mesh<TriangleMesh> >
+Error_code enhance_details(const FaceRange& region, TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return internal::enhance_details(make_gradient_domain_solver(tm, region, np), tm, np);
+}
+
+} // namespace Gradient_domain_processing
+} // namespace CGAL
+
+#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_ENHANCE_DETAILS_H

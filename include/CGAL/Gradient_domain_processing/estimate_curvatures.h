@@ -1,0 +1,95 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_ESTIMATE_CURVATURES_H
+#define CGAL_GRADIENT_DOMAIN_PROCESSING_ESTIMATE_CURVATURES_H
+
+#include <CGAL/Gradient_domain_processing/Gradient_domain_solver.h>
+
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Gradient_domain_processing {
+
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * The principal curvatures and directions at a vertex, with the members of
+ * `CGAL::Polygon_mesh_processing::Principal_curvatures_and_directions` (CGAL 6). Curvatures are in 1/length and positive where
+ * the surface is convex; directions are of length one and orthogonal.
+ *
+ * \tparam GeomTraits a model of `Kernel`
+ */
+template <class GeomTraits>
+struct Principal_curvatures_and_directions
+{
+  typename GeomTraits::FT min_curvature; ///< the smaller principal curvature
+  typename GeomTraits::FT max_curvature; ///< the larger principal curvature
+  typename GeomTraits::Vector_3 min_direction; ///< the direction of the smaller
+  typename GeomTraits::Vector_3 max_direction; ///< the direction of the larger
+};
+
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * estimates principal curvatures and directions at the vertices of a mesh by `CGAL::Monge_via_jet_fitting`. The points around a
+ * vertex are gathered ring by ring until there are enough for the degree; the result is oriented by the normals of the mesh, so that
+ * convex is positive. Where nothing can be fitted (a vertex without a face, collinear or coincident neighbours), the curvature is zero.
+ *
+ * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam VertexCurvatureMap a model of `WritablePropertyMap` with key `vertex_descriptor` and a value type that can be made from
+ *         min_curvature, max_curvature, min_direction, max_direction in braces, such as `Principal_curvatures_and_directions` here and in CGAL 6
+ *
+ * \param tm the triangle mesh; it is not changed
+ * \param curvatures the result
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `jet_degree`, `presmoothing_weight` (by default `0`
+ *        here: curvature of the mesh as it is), `area_normalization`, `vertex_normal_map`, `concurrency_tag`, `visitor`,
+ *        `sparse_linear_solver`, `vertex_point_map`, `vertex_index_map` of `Gradient_domain_solver`
+ *
+ * \return `OK`; or what is wrong, and then `curvatures` is as it was
+ *
+ * Complexity: proportional to the number of vertices, with TBB in parallel; results do not depend on the number of threads.
+ */
+template <class TriangleMesh, class VertexCurvatureMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Error_code estimate_curvatures(const TriangleMesh& tm, VertexCurvatureMap curvatures,
+                               const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  using namespace CGAL::internal_np;
+  typedef typename boost::property_traits<VertexCurvatureMap>::value_type Curvature;
+
+  auto solver = make_gradient_domain_solver(
+    tm, parameters::with(np).curvature_metric_kind(Curvature_metric_kind::EMBEDDING));
+  if(solver.error() != OK)
+    return solver.error();
+  internal::Curvature_options options;
+  if(const Error_code code = solver.curvature_options(np, options))
+    return code;
+  if(!internal::Has_parameter<presmoothing_weight_t, CGAL_NP_CLASS>::value)
+    options.presmoothing_weight = 0;
+  std::unique_ptr<std::vector<internal::Vec3> > normals;
+  if(const Error_code code = solver.given_normals(np, normals))
+    return code;
+
+  std::vector<internal::Principal_curvatures> found;
+  if(const Error_code code = internal::vertex_curvatures_by_jets(solver.system(), normals.get(), options, solver.progress(), found))
+    return code;
+
+  typedef decltype(Curvature::min_curvature) FT;
+  typedef decltype(Curvature::min_direction) Vector_3;
+  const double unit = solver.system().mesh.unit();
+  const auto vector = [](const internal::Vec3& v) { return Vector_3(FT(v[0]), FT(v[1]), FT(v[2])); };
+  for(std::size_t v = 0; v < found.size(); ++v)
+    put(curvatures, solver.elements().vertices[v],
+        Curvature{FT(found[v].min_curvature / unit), FT(found[v].max_curvature / unit),
+                  vector(found[v].min_direction), vector(found[v].max_direction)});
+  return OK;
+}
+
+} // namespace Gradient_domain_processing
+} // namespace CGAL
+
+#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_ESTIMATE_CURVATURES_H

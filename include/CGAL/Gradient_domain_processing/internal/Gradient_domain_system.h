@@ -1,0 +1,249 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_GRADIENT_DOMAIN_SYSTEM_H
+#define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_GRADIENT_DOMAIN_SYSTEM_H
+
+#include <CGAL/Gradient_domain_processing/Error_code.h>
+#include <CGAL/Gradient_domain_processing/visitor.h>
+#include <CGAL/Gradient_domain_processing/internal/Linear_solver.h>
+#include <CGAL/Gradient_domain_processing/internal/Mesh_arrays.h>
+#include <CGAL/Gradient_domain_processing/internal/assembly.h>
+#include <CGAL/Gradient_domain_processing/internal/nested_dissection.h>
+
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Gradient_domain_processing {
+namespace internal {
+
+// No triangle is taken to have less area than this times its largest squared edge length (twice the area, to be precise): the
+// square root of the machine precision, far below what a mesh of any use contains.
+constexpr double degeneracy_ratio = 1.5e-8;
+
+// The system (alpha M + beta S) (g - f) = beta (D v - S f) on arrays. It is solved for the change of the signal, so that the
+// rounding error is that of the change, and what need not change does not.
+template <class SparseLinearSolver>
+class Gradient_domain_system
+{
+public:
+  Mesh_arrays mesh;
+  std::vector<char> is_constrained; // by vertex: its value is prescribed
+  bool parallel = true;
+
+private:
+  std::vector<Triangle_metric> m_metrics;
+  Weights m_weights;
+  Unknowns m_unknowns;
+  Sparse_matrix m_matrix; // its pattern, for as long as the system lives; its values are those of the last assembly
+  Sparse_matrix m_unshifted;
+  Linear_solver<SparseLinearSolver> m_solver;
+  bool m_is_analyzed = false, m_is_factorized = false;
+
+public:
+  explicit Gradient_domain_system(const SparseLinearSolver& solver) : m_solver(solver) {}
+
+  const std::vector<Triangle_metric>& metrics() const { return m_metrics; }
+  const Weights& weights() const { return m_weights; }
+  const Unknowns& unknowns() const { return m_unknowns; }
+  bool is_analyzed() const { return m_is_analyzed; }
+
+  void set_metrics(std::vector<Triangle_metric> metrics)
+  {
+    m_metrics = std::move(metrics);
+    m_is_factorized = false;
+  }
+
+  void set_weights(const Weights& weights)
+  {
+    m_weights = weights;
+    m_is_factorized = false;
+  }
+
+  // lambda is on the right-hand side only
+  void set_scale(double scale)
+  {
+    m_weights.scale = scale;
+    m_weights.scale_at_face.clear();
+  }
+
+  // Orders the unknowns, makes the pattern and lets the solver analyze it. Depends on the connectivity and the constrained
+  // vertices only.
+  Error_code analyze(Progress& progress)
+  {
+    if(m_is_analyzed)
+      return OK;
+    if(!progress.go_on(0))
+      return ERROR_CANCELLED;
+    Stage_scope stage(progress, Stage::ANALYZE);
+
+    const Lists rings = mesh.one_rings(parallel);
+    const std::vector<int> order = nested_dissection(mesh.points, rings.offsets, rings.items);
+    m_unknowns.column.assign(mesh.number_of_vertices(), -1);
+    m_unknowns.vertex.clear();
+    for(int v : order)
+      if(!is_constrained[v] && mesh.corners.size(v) > 0)
+      {
+        m_unknowns.column[v] = m_unknowns.size();
+        m_unknowns.vertex.push_back(v);
+      }
+    m_matrix = sparsity_pattern(rings, m_unknowns, m_solver.reads_lower_triangle, parallel);
+    const Error_code code = m_unknowns.size() > 0 ? m_solver.analyze(m_matrix) : OK;
+    m_is_analyzed = code == OK;
+    return code;
+  }
+
+  Error_code factorize(Progress& progress)
+  {
+    if(m_is_factorized)
+      return OK;
+    if(has_floating_component())
+      return ERROR_UNCONSTRAINED;
+    if(const Error_code code = analyze(progress))
+      return code;
+    if(m_unknowns.size() > 0)
+    {
+      if(!progress.go_on(0))
+        return ERROR_CANCELLED;
+      {
+        Stage_scope stage(progress, Stage::ASSEMBLE);
+        assemble(mesh, m_metrics, m_weights, m_unknowns, parallel, m_matrix);
+      }
+      if(!progress.go_on(0))
+        return ERROR_CANCELLED;
+      Stage_scope stage(progress, Stage::FACTOR);
+      if(const Error_code code = factorize_or_shift())
+        return code;
+    }
+    m_is_factorized = true;
+    return OK;
+  }
+
+  // The change g - f of a signal of so many channels whose target gradients exceed its own by `excess` (see assembly.h). On
+  // entry, `displacement` holds the change of the constrained vertices, if `displaces_constraints`.
+  template <class Excess>
+  Error_code solve(const Excess& excess, int channels, Progress& progress, Signal& displacement,
+                   bool displaces_constraints = false)
+  {
+    if(const Error_code code = factorize(progress))
+      return code;
+    if(!displaces_constraints)
+      displacement.setZero(mesh.number_of_vertices(), channels);
+    if(m_unknowns.size() == 0)
+      return OK;
+
+    if(!progress.go_on(0))
+      return ERROR_CANCELLED;
+    Stage_scope stage(progress, Stage::SOLVE);
+    Eigen::MatrixXd residual(m_unknowns.size(), channels);
+    gradient_residual(mesh, m_metrics, m_weights, m_unknowns, excess, parallel, residual);
+    if(displaces_constraints)
+      move_to_right_hand_side(mesh, m_metrics, m_weights, m_unknowns, displacement, parallel, residual);
+
+    Eigen::MatrixXd solution;
+    if(const Error_code code = solve_refined(residual, solution))
+      return code;
+    parallel_for(parallel, m_unknowns.size(), [&](std::size_t row) {
+      displacement.row(m_unknowns.vertex[row]) = solution.row(row);
+    });
+    return displacement.allFinite() ? OK : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+  }
+
+  // v = lambda grad f
+  Error_code filter(const Signal& signal, Progress& progress, Signal& displacement, bool displaces_constraints = false)
+  {
+    const auto excess = [&](int f, int i, int j, int channel) {
+      const auto& t = mesh.triangles[f];
+      return (m_weights.scale_at(f) - 1) * (signal(t[j], channel) - signal(t[i], channel));
+    };
+    return solve(excess, int(signal.cols()), progress, displacement, displaces_constraints);
+  }
+
+private:
+  // Components of very different size, or nearly degenerate triangles, may lose the positive definiteness to rounding. A shift
+  // of the diagonal brings it back, and refinement takes the shift out of the solution.
+  Error_code factorize_or_shift()
+  {
+    m_unshifted.resize(0, 0);
+    Error_code code = m_solver.factorize(m_matrix);
+    if(code == OK || m_solver.is_iterative)
+      return code;
+    m_unshifted = m_matrix;
+    for(int j = 0; j < m_unknowns.size(); ++j)
+      m_matrix.coeffRef(j, j) *= 1 + 1e-10;
+    return m_solver.factorize(m_matrix);
+  }
+
+  Error_code solve_refined(const Eigen::MatrixXd& right, Eigen::MatrixXd& solution)
+  {
+    Error_code code = m_solver.solve(right, solution);
+    if(code != OK || m_unshifted.size() == 0)
+      return code;
+    Eigen::MatrixXd rest = right - multiply(solution), correction;
+    for(int step = 0; step < 4; ++step)
+    {
+      code = m_solver.solve(rest, correction);
+      if(code != OK)
+        return code;
+      const Eigen::MatrixXd better = solution + correction, less = right - multiply(better);
+      if(!(less.norm() < rest.norm()))
+        break;
+      solution = better;
+      rest = less;
+    }
+    return OK;
+  }
+
+  Eigen::MatrixXd multiply(const Eigen::MatrixXd& x) const
+  {
+    if(m_solver.reads_lower_triangle)
+      return m_unshifted.selfadjointView<Eigen::Lower>() * x;
+    return m_unshifted * x;
+  }
+
+  // Whether a component has neither a constrained vertex nor a value weight to hold it.
+  bool has_floating_component() const
+  {
+    if(m_weights.value_at_vertex.empty() && m_weights.value > 0)
+      return false;
+    std::vector<int> parent(mesh.number_of_vertices());
+    std::iota(parent.begin(), parent.end(), 0);
+    const auto root = [&](int v) {
+      while(parent[v] != v)
+        v = parent[v] = parent[parent[v]];
+      return v;
+    };
+    for(int f = 0; f < mesh.number_of_triangles(); ++f)
+      if(m_weights.gradient_at(f) > 0)
+        for(int i = 1; i < 3; ++i)
+          parent[root(mesh.triangles[f][i])] = root(mesh.triangles[f][0]);
+
+    std::vector<char> is_held(parent.size(), 0), is_stiff(parent.size(), 0);
+    for(int f = 0; f < mesh.number_of_triangles(); ++f)
+      for(int v : mesh.triangles[f])
+      {
+        if(m_weights.gradient_at(f) > 0)
+          is_stiff[root(v)] = 1;
+        for(int w : mesh.triangles[f])
+          if(m_weights.value_at(w) > 0)
+            is_held[root(v)] = 1;
+      }
+    for(int v = 0; v < mesh.number_of_vertices(); ++v)
+      if(is_constrained[v])
+        is_held[root(v)] = 1;
+    for(int v = 0; v < mesh.number_of_vertices(); ++v)
+      if(is_stiff[v] && !is_held[root(v)])
+        return true;
+    return false;
+  }
+};
+
+} // namespace internal
+} // namespace Gradient_domain_processing
+} // namespace CGAL
+
+#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_GRADIENT_DOMAIN_SYSTEM_H

@@ -1,0 +1,88 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_JET_FITTER_H
+#define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_JET_FITTER_H
+
+#include <CGAL/Gradient_domain_processing/internal/Jet_least_squares.h>
+#include <CGAL/Gradient_domain_processing/internal/tangent_frame.h>
+
+#include <CGAL/Monge_via_jet_fitting.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Gradient_domain_processing {
+namespace internal {
+
+// Fits a jet to a neighbourhood; where its points do not determine one of this degree, one of the next lower degree.
+// The neighbourhood begins with the vertex, which is at the origin, and its extent is about one.
+template <int degree>
+class Jet_fitter
+{
+public:
+  typedef Simple_cartesian<double> Kernel;
+  typedef std::vector<Kernel::Point_3> Points;
+
+  // False, and `result` untouched, where no degree from two on has an answer.
+  bool operator()(const Points& points, const Vec3& normal, Principal_curvatures& result)
+  {
+    return fit(points, normal, result) || m_lower(points, normal, result);
+  }
+
+private:
+  typedef Jet_least_squares<degree> Least_squares;
+  typedef Monge_via_jet_fitting<Kernel, Kernel, Least_squares> Monge_via_jet;
+
+  // Beyond it, rounding of the coordinates decides what the coefficients are.
+  static constexpr double max_condition_number = 1e8;
+
+  bool fit(const Points& points, const Vec3& normal, Principal_curvatures& result)
+  {
+    if(points.size() < Least_squares::number_of_coefficients)
+      return false;
+
+    typename Monge_via_jet::Monge_form monge = m_monge(points.begin(), points.end(), degree, 2);
+    if(!(m_monge.condition_number() < max_condition_number))
+      return false;
+
+    // A height above the tangent plane bends down, away from the outward normal, where the surface is convex: hence the signs.
+    monge.comply_wrt_given_normal(Kernel::Vector_3(normal.x(), normal.y(), normal.z()));
+    const Principal_curvatures fitted = { -monge.principal_curvatures(0), -monge.principal_curvatures(1),
+                                          as_unit(monge.maximal_principal_direction()),
+                                          as_unit(monge.minimal_principal_direction()) };
+    if(!std::isfinite(fitted.min_curvature) || !std::isfinite(fitted.max_curvature) ||
+       !fitted.min_direction.allFinite() || !fitted.max_direction.allFinite())
+      return false;
+    result = fitted;
+    return true;
+  }
+
+  static Vec3 as_unit(const Kernel::Vector_3& v)
+  {
+    return Vec3(v.x(), v.y(), v.z()).normalized();
+  }
+
+  Monge_via_jet m_monge;
+  Jet_fitter<degree - 1> m_lower;
+};
+
+// A jet of degree one has no curvature.
+template <>
+class Jet_fitter<1>
+{
+public:
+  template <class Points>
+  bool operator()(const Points&, const Vec3&, Principal_curvatures&) { return false; }
+};
+
+} // namespace internal
+} // namespace Gradient_domain_processing
+} // namespace CGAL
+
+#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_JET_FITTER_H

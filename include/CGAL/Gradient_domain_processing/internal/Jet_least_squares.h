@@ -1,0 +1,76 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_JET_LEAST_SQUARES_H
+#define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_JET_LEAST_SQUARES_H
+
+#include <Eigen/Core>
+#include <Eigen/QR>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Gradient_domain_processing {
+namespace internal {
+
+// A model of `SvdTraits` for `Monge_via_jet_fitting` at one degree: QR with column pivoting in storage of bounded size,
+// so that a fit neither iterates nor allocates. At most `max_number_of_points` rows.
+template <int degree>
+struct Jet_least_squares
+{
+  static constexpr int number_of_coefficients = (degree + 1) * (degree + 2) / 2;
+  static constexpr int max_number_of_points = 8 * number_of_coefficients + 16;
+
+  typedef double FT;
+
+  class Vector
+    : public Eigen::Matrix<FT, Eigen::Dynamic, 1, Eigen::ColMajor, max_number_of_points, 1>
+  {
+  public:
+    typedef Eigen::Matrix<FT, Eigen::Dynamic, 1, Eigen::ColMajor, max_number_of_points, 1> Eigen_type;
+
+    Vector(std::size_t n) : Eigen_type(static_cast<Eigen::Index>(n)) { }
+    void set(std::size_t i, FT value) { this->coeffRef(static_cast<Eigen::Index>(i)) = value; }
+    FT* vector() { return this->data(); }
+    Eigen_type& eigen_object() { return *this; }
+  };
+
+  class Matrix
+    : public Eigen::Matrix<FT, Eigen::Dynamic, number_of_coefficients, Eigen::ColMajor,
+                           max_number_of_points, number_of_coefficients>
+  {
+  public:
+    typedef Eigen::Matrix<FT, Eigen::Dynamic, number_of_coefficients, Eigen::ColMajor,
+                          max_number_of_points, number_of_coefficients> Eigen_type;
+
+    Matrix(std::size_t n, std::size_t m) : Eigen_type(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(m)) { }
+    void set(std::size_t i, std::size_t j, FT value)
+    {
+      this->coeffRef(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = value;
+    }
+    const Eigen_type& eigen_object() const { return *this; }
+  };
+
+  // The solution replaces the first entries of `b`. The condition number is the usual estimate from the diagonal of R,
+  // infinity for a matrix without full rank.
+  static FT solve(const Matrix& m, Vector& b)
+  {
+    const Eigen::ColPivHouseholderQR<typename Matrix::Eigen_type> qr(m.eigen_object());
+    const Eigen::Matrix<FT, number_of_coefficients, 1> x = qr.solve(b.eigen_object());
+    b.template head<number_of_coefficients>() = x;
+
+    const FT last = std::abs(qr.matrixQR()(number_of_coefficients - 1, number_of_coefficients - 1));
+    return last > 0 ? std::abs(qr.matrixQR()(0, 0)) / last : std::numeric_limits<FT>::infinity();
+  }
+};
+
+} // namespace internal
+} // namespace Gradient_domain_processing
+} // namespace CGAL
+
+#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_JET_LEAST_SQUARES_H

@@ -1,0 +1,202 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_H
+#define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_H
+
+#include <CGAL/Gradient_domain_processing/Error_code.h>
+
+#include <CGAL/Eigen_solver_traits.h>
+
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCholesky>
+#ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD
+#include <Eigen/CholmodSupport>
+#endif
+
+#include <memory>
+#include <new>
+#include <type_traits>
+
+namespace CGAL {
+namespace Gradient_domain_processing {
+
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * The linear solver of this package unless another is passed: CHOLMOD's supernodal Cholesky factorization where
+ * `CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD` is defined (the CMake target does so where it finds SuiteSparse), else
+ * that of Eigen. Both are \f$ LL^T \f$, which notices a matrix that is not positive definite.
+ *
+ * \cgalModels `SparseLinearAlgebraWithFactorTraits_d`
+ */
+#ifdef DOXYGEN_RUNNING
+typedef unspecified_type Default_sparse_linear_solver;
+#elif defined(CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD)
+typedef Eigen_solver_traits<Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> >
+  Default_sparse_linear_solver;
+#else
+typedef Eigen_solver_traits<Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int> > >
+  Default_sparse_linear_solver;
+#endif
+
+namespace internal {
+
+// What is known of a solver of Eigen: whether the lower triangle of the matrix is all it reads.
+template <class EigenSolver>
+struct Reads_lower_triangle : std::false_type {};
+
+template <class Matrix, class Ordering>
+struct Reads_lower_triangle<Eigen::SimplicialLLT<Matrix, Eigen::Lower, Ordering> > : std::true_type {};
+template <class Matrix, class Ordering>
+struct Reads_lower_triangle<Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Ordering> > : std::true_type {};
+template <class Matrix, class Preconditioner>
+struct Reads_lower_triangle<Eigen::ConjugateGradient<Matrix, Eigen::Lower, Preconditioner> > : std::true_type {};
+#ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD
+template <class Matrix>
+struct Reads_lower_triangle<Eigen::CholmodSupernodalLLT<Matrix, Eigen::Lower> > : std::true_type {};
+#endif
+
+// The unknowns come in a fill-reducing order already; CHOLMOD shall not look for another, unless it was told to.
+template <class EigenSolver>
+void keep_order(EigenSolver&) {}
+#ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD
+template <class Matrix>
+void keep_order(Eigen::CholmodSupernodalLLT<Matrix, Eigen::Lower>& solver)
+{
+  cholmod_common& common = solver.cholmod();
+  if(common.nmethods == 0)
+  {
+    common.nmethods = 1;
+    common.method[0].ordering = CHOLMOD_NATURAL;
+    common.postorder = 1;
+  }
+}
+#endif
+
+template <class EigenSolver>
+bool out_of_memory(EigenSolver&) { return false; }
+#ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD
+template <class Matrix>
+bool out_of_memory(Eigen::CholmodSupernodalLLT<Matrix, Eigen::Lower>& solver)
+{
+  return solver.cholmod().status < 0;
+}
+#endif
+
+// The one place that talks to linear solvers. This is for any model of SparseLinearAlgebraWithFactorTraits_d: the matrix is
+// handed over entry by entry and the channels are solved one after the other.
+template <class SolverTraits>
+class Linear_solver
+{
+  typedef typename SolverTraits::Matrix Matrix;
+  typedef typename SolverTraits::Vector Vector;
+  typedef typename SolverTraits::NT NT;
+
+  SolverTraits m_traits;
+  std::unique_ptr<Matrix> m_matrix; // factor() may keep a pointer to it
+
+public:
+  static constexpr bool reads_lower_triangle = false;
+  static constexpr bool is_iterative = false;
+
+  explicit Linear_solver(const SolverTraits& traits) : m_traits(traits) {}
+
+  Error_code analyze(const Eigen::SparseMatrix<double>&) { return OK; }
+
+  Error_code factorize(const Eigen::SparseMatrix<double>& matrix)
+  {
+    m_matrix = std::make_unique<Matrix>(int(matrix.rows()));
+    for(int j = 0; j < matrix.outerSize(); ++j)
+      for(Eigen::SparseMatrix<double>::InnerIterator it(matrix, j); it; ++it)
+        m_matrix->set_coef(it.row(), it.col(), NT(it.value()), true);
+    NT denominator(1);
+    return m_traits.factor(*m_matrix, denominator) ? OK : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+  }
+
+  Error_code solve(const Eigen::MatrixXd& right, Eigen::MatrixXd& solution)
+  {
+    const int n = int(right.rows());
+    solution.resize(n, right.cols());
+    for(int channel = 0; channel < right.cols(); ++channel)
+    {
+      Vector b(n), x(n);
+      for(int i = 0; i < n; ++i)
+      {
+        b[i] = NT(right(i, channel));
+        x[i] = NT(0);
+      }
+      if(!m_traits.linear_solver(b, x))
+        return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+      for(int i = 0; i < n; ++i)
+        solution(i, channel) = to_double(x[i]);
+    }
+    return OK;
+  }
+};
+
+// Solvers of Eigen: the symbolic analysis is done once, and all channels are solved together.
+template <class EigenSolver>
+class Linear_solver<Eigen_solver_traits<EigenSolver> >
+{
+  Eigen_solver_traits<EigenSolver> m_traits; // shares its solver with the caller's copy
+  Eigen::SparseMatrix<double> m_matrix;      // iterative solvers read it as they solve
+
+public:
+  static constexpr bool reads_lower_triangle = Reads_lower_triangle<EigenSolver>::value;
+  static constexpr bool is_iterative = std::is_base_of<Eigen::IterativeSolverBase<EigenSolver>, EigenSolver>::value;
+
+  explicit Linear_solver(const Eigen_solver_traits<EigenSolver>& traits) : m_traits(traits) {}
+
+  Error_code analyze(const Eigen::SparseMatrix<double>& matrix)
+  {
+    if constexpr (is_iterative)
+      return OK;
+    else
+      return guarded([&] {
+        keep_order(m_traits.solver());
+        m_traits.solver().analyzePattern(matrix);
+        return !out_of_memory(m_traits.solver());
+      });
+  }
+
+  Error_code factorize(const Eigen::SparseMatrix<double>& matrix)
+  {
+    return guarded([&] {
+      if constexpr (is_iterative)
+      {
+        m_matrix = matrix;
+        m_traits.solver().compute(m_matrix);
+      }
+      else
+        m_traits.solver().factorize(matrix);
+      return m_traits.solver().info() == Eigen::Success;
+    });
+  }
+
+  Error_code solve(const Eigen::MatrixXd& right, Eigen::MatrixXd& solution)
+  {
+    const Error_code code = guarded([&] {
+      solution = m_traits.solver().solve(right);
+      return m_traits.solver().info() == Eigen::Success;
+    });
+    return code != OK && is_iterative ? ERROR_NOT_CONVERGED : code;
+  }
+
+private:
+  template <class Work>
+  static Error_code guarded(const Work& work)
+  {
+    try { return work() ? OK : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM; }
+    catch(const std::bad_alloc&) { return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM; }
+  }
+};
+
+} // namespace internal
+} // namespace Gradient_domain_processing
+} // namespace CGAL
+
+#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_H

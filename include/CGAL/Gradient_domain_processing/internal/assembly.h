@@ -1,0 +1,200 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ASSEMBLY_H
+#define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ASSEMBLY_H
+
+#include <CGAL/Gradient_domain_processing/internal/Mesh_arrays.h>
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Gradient_domain_processing {
+namespace internal {
+
+typedef Eigen::SparseMatrix<double> Sparse_matrix;
+
+// alpha, beta and lambda of the energy. The vectors are empty where a weight is the same everywhere.
+struct Weights
+{
+  double value = 1;
+  double gradient = 0;
+  double scale = 0;
+  std::vector<double> value_at_vertex;
+  std::vector<double> gradient_at_face;
+  std::vector<double> scale_at_face;
+
+  double value_at(int v) const { return value_at_vertex.empty() ? value : value_at_vertex[v]; }
+  double gradient_at(int f) const { return gradient_at_face.empty() ? gradient : gradient_at_face[f]; }
+  double scale_at(int f) const { return scale_at_face.empty() ? scale : scale_at_face[f]; }
+};
+
+// The edge weights of a triangle's stiffness: conductance(i) is minus its entry for the edge opposite to corner i, half a
+// cotangent. A triangle shrunk to a point has none.
+inline double conductance(const Triangle_metric& metric, int corner)
+{
+  const double w = metric.sqrt_determinant();
+  return w > 0 ? metric.corner_product(corner) / (2 * w) : 0;
+}
+
+// What a triangle adds to the row of one of its vertices v in alpha M + beta S: to the entries (v,v), (v,a), (v,b), where a and
+// b are the next two vertices of the triangle.
+struct Row_entries
+{
+  double vv, va, vb;
+};
+
+inline Row_entries row_entries(const Mesh_arrays& mesh, const std::vector<Triangle_metric>& metrics, const Weights& weights,
+                               int corner)
+{
+  const int f = corner / 3, i = corner % 3, j = (i + 1) % 3, k = (i + 2) % 3;
+  const Triangle_metric& metric = metrics[f];
+
+  const double beta = weights.gradient_at(f);
+  const double to_a = beta * conductance(metric, k), to_b = beta * conductance(metric, j);
+
+  const double w = metric.sqrt_determinant();
+  if(weights.value_at_vertex.empty())
+  {
+    const double mass = weights.value * w / 24;
+    return {2 * mass + to_a + to_b, mass - to_a, mass - to_b};
+  }
+
+  // the integral of alpha phi_v phi_x with alpha linear on the triangle
+  const auto& t = mesh.triangles[f];
+  const double at_v = weights.value_at_vertex[t[i]], at_a = weights.value_at_vertex[t[j]], at_b = weights.value_at_vertex[t[k]];
+  return {w / 60 * (3 * at_v + at_a + at_b) + to_a + to_b,
+          w / 120 * (2 * at_v + 2 * at_a + at_b) - to_a,
+          w / 120 * (2 * at_v + at_a + 2 * at_b) - to_b};
+}
+
+// Which vertices are solved for, and in which order.
+struct Unknowns
+{
+  std::vector<int> column; // of every vertex, or -1
+  std::vector<int> vertex; // of every column
+
+  int size() const { return static_cast<int>(vertex.size()); }
+};
+
+// The sparsity pattern of alpha M + beta S in compressed columns: all of it, or its lower triangle.
+inline Sparse_matrix sparsity_pattern(const Lists& rings, const Unknowns& unknowns, bool lower_only, bool parallel)
+{
+  const int n = unknowns.size();
+  const auto rows = [&](int column, int* out) {
+    int* last = out;
+    *last++ = column;
+    const int v = unknowns.vertex[column];
+    for(const int* w = rings.begin(v); w != rings.end(v); ++w)
+    {
+      const int row = unknowns.column[*w];
+      if(row > column || (row >= 0 && !lower_only))
+        *last++ = row;
+    }
+    std::sort(out, last);
+    return last;
+  };
+  const auto count = [&](int column) {
+    const int v = unknowns.vertex[column];
+    return 1 + int(std::count_if(rings.begin(v), rings.end(v), [&](int w) {
+      return unknowns.column[w] > column || (unknowns.column[w] >= 0 && !lower_only);
+    }));
+  };
+
+  Sparse_matrix matrix(n, n);
+  int* const offsets = matrix.outerIndexPtr();
+  parallel_for(parallel, n, [&](std::size_t j) { offsets[j + 1] = count(int(j)); });
+  offsets[0] = 0;
+  for(int j = 0; j < n; ++j)
+    offsets[j + 1] += offsets[j];
+  matrix.resizeNonZeros(offsets[n]);
+  parallel_for(parallel, n, [&](std::size_t j) { rows(int(j), matrix.innerIndexPtr() + offsets[j]); });
+  return matrix;
+}
+
+// Fills the values of alpha M + beta S into its pattern, a column at a time: columns do not touch each other.
+inline void assemble(const Mesh_arrays& mesh, const std::vector<Triangle_metric>& metrics, const Weights& weights,
+                     const Unknowns& unknowns, bool parallel, Sparse_matrix& matrix, bool is_system = true)
+{
+  const int* const offsets = matrix.outerIndexPtr();
+  const int* const rows = matrix.innerIndexPtr();
+  double* const values = matrix.valuePtr();
+  parallel_for(parallel, unknowns.size(), [&](std::size_t j) {
+    const int first = offsets[j], last = offsets[j + 1];
+    std::fill(values + first, values + last, 0.);
+    const auto add = [&](int row, double value) {
+      for(int at = first; at < last; ++at)
+        if(rows[at] == row)
+        {
+          values[at] += value;
+          return;
+        }
+    };
+    const int v = unknowns.vertex[j];
+    for(const int* c = mesh.corners.begin(v); c != mesh.corners.end(v); ++c)
+    {
+      const Row_entries entries = row_entries(mesh, metrics, weights, *c);
+      const auto others = mesh.opposite_vertices(*c);
+      add(int(j), entries.vv);
+      add(unknowns.column[others[0]], entries.va);
+      add(unknowns.column[others[1]], entries.vb);
+    }
+    // in a system to be solved, a vertex that nothing acts on stays where it is
+    for(int at = first; at < last; ++at)
+      if(is_system && rows[at] == int(j) && values[at] == 0)
+        values[at] = 1;
+  });
+}
+
+// beta (D v - S f): what the target gradients v ask for beyond the gradients of f. The target is given by its excess over the
+// gradient of f, integrated along the edges: excess(f, i, j, channel) from corner i to corner j of triangle f.
+template <class Excess>
+void gradient_residual(const Mesh_arrays& mesh, const std::vector<Triangle_metric>& metrics, const Weights& weights,
+                       const Unknowns& unknowns, const Excess& excess, bool parallel, Eigen::MatrixXd& residual)
+{
+  const int channels = int(residual.cols());
+  parallel_for(parallel, unknowns.size(), [&](std::size_t row) {
+    for(int channel = 0; channel < channels; ++channel)
+      residual(row, channel) = 0;
+    const int v = unknowns.vertex[row];
+    for(const int* c = mesh.corners.begin(v); c != mesh.corners.end(v); ++c)
+    {
+      const int f = *c / 3, i = *c % 3, j = (i + 1) % 3, k = (i + 2) % 3;
+      const double beta = weights.gradient_at(f);
+      const double to_a = beta * conductance(metrics[f], k), to_b = beta * conductance(metrics[f], j);
+      for(int channel = 0; channel < channels; ++channel)
+        residual(row, channel) -= to_a * excess(f, i, j, channel) + to_b * excess(f, i, k, channel);
+    }
+  });
+}
+
+// Takes from the residual what the displacements of vertices that are not solved for bring about.
+inline void move_to_right_hand_side(const Mesh_arrays& mesh, const std::vector<Triangle_metric>& metrics,
+                                    const Weights& weights, const Unknowns& unknowns, const Signal& displacement,
+                                    bool parallel, Eigen::MatrixXd& residual)
+{
+  parallel_for(parallel, unknowns.size(), [&](std::size_t row) {
+    const int v = unknowns.vertex[row];
+    for(const int* c = mesh.corners.begin(v); c != mesh.corners.end(v); ++c)
+    {
+      const Row_entries entries = row_entries(mesh, metrics, weights, *c);
+      const auto others = mesh.opposite_vertices(*c);
+      if(unknowns.column[others[0]] < 0)
+        residual.row(row) -= entries.va * displacement.row(others[0]);
+      if(unknowns.column[others[1]] < 0)
+        residual.row(row) -= entries.vb * displacement.row(others[1]);
+    }
+  });
+}
+
+} // namespace internal
+} // namespace Gradient_domain_processing
+} // namespace CGAL
+
+#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ASSEMBLY_H
