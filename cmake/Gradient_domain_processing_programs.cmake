@@ -9,7 +9,8 @@ endif()
 # gradient_domain_processing_programs(<kind> [EXCEPT <source>...] [WORKING_DIRECTORY <dir>])
 #
 # Every *.cpp in the current folder becomes a program of its name and, unless the kind is benchmark, a CTest test
-# <kind>/<name> that runs it. Targets are <kind>_<name>, so that a test and an example may share a name.
+# <kind>/<name> that runs it. Targets are <kind>_<name>, so that a test and an example may share a name; a name that
+# begins so already stays as it is.
 function(gradient_domain_processing_programs kind)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "WORKING_DIRECTORY" "EXCEPT")
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
@@ -19,7 +20,10 @@ function(gradient_domain_processing_programs kind)
     if(file IN_LIST arg_EXCEPT)
       continue()
     endif()
-    set(target ${kind}_${name})
+    set(target ${name})
+    if(NOT name MATCHES "^${kind}_")
+      set(target ${kind}_${name})
+    endif()
     add_executable(${target} ${source})
     set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name} CXX_EXTENSIONS OFF)
     target_link_libraries(${target} PRIVATE CGAL::Gradient_domain_processing)

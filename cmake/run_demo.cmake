@@ -5,28 +5,34 @@
 set(archive /usr/share/doc/libcgal-dev/data.tar.gz)
 set(scan data/meshes/bunny00.off)
 
+# To the same stream as the program, so that the lines keep their order when piped.
+function(say line)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E echo "${line}")
+endfunction()
+
 file(MAKE_DIRECTORY ${RESULTS})
 if(EXISTS ${archive})
   file(ARCHIVE_EXTRACT INPUT ${archive} DESTINATION ${RESULTS} PATTERNS ${scan})
 endif()
 if(EXISTS ${RESULTS}/${scan})
   set(input ${RESULTS}/${scan})
-  message("The scan: ${scan} from ${archive}")
+  say("The scan: ${scan} from ${archive}")
 else()
   set(input ${FALLBACK})
-  message("No ${archive} with ${scan}: using ${FALLBACK}")
+  say("No ${archive} with ${scan}: using ${FALLBACK}")
 endif()
 
 function(filter what result)
   string(JOIN " " options ${ARGN})
-  message("\n${what}: gradient_domain_filter ${options}")
+  say("")
+  say("${what}: gradient_domain_filter ${options}")
   execute_process(
     COMMAND ${FILTER} ${input} ${RESULTS}/${result} ${ARGN}
     RESULT_VARIABLE status)
   if(NOT status EQUAL 0)
     message(FATAL_ERROR "gradient_domain_filter failed: ${status}")
   endif()
-  message("  result: ${RESULTS}/${result}")
+  say("  result: ${RESULTS}/${result}")
 endfunction()
 
 filter("Smoothed" smoothed.ply --gradient-weight 1e-4 --gradient-scale 0 --verbose)

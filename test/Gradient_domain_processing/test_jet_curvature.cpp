@@ -240,7 +240,7 @@ template <class Tag = CGAL::Sequential_tag>
 std::vector<Principal_curvatures> by_jets(const Arrays& a, int degree)
 {
   std::vector<Principal_curvatures> result;
-  GDP_CHECK(GDPI::jet_curvatures<Tag>(a.points, a.offsets, a.neighbors, a.normals, degree,
+  GDP_CHECK(GDPI::jet_curvatures(std::is_same<Tag, CGAL::Parallel_tag>::value, a.points, a.offsets, a.neighbors, a.normals, degree,
                                       [](double) { return true; }, result));
   GDP_CHECK(result.size() == a.points.size());
   return result;
@@ -440,7 +440,7 @@ void test_concurrency_and_cancellation()
     std::vector<Principal_curvatures> result;
     std::vector<double> progress;
     bool is_inside = false;
-    GDP_CHECK(GDPI::jet_curvatures<decltype(tag)>(a.points, a.offsets, a.neighbors, a.normals, 2, [&](double x) {
+    GDP_CHECK(GDPI::jet_curvatures(std::is_same<decltype(tag), CGAL::Parallel_tag>::value, a.points, a.offsets, a.neighbors, a.normals, 2, [&](double x) {
       GDP_CHECK(!is_inside);
       is_inside = true;
       progress.push_back(x);
@@ -451,7 +451,7 @@ void test_concurrency_and_cancellation()
     GDP_CHECK(progress.front() > 0 && progress.back() == 1);
 
     int calls = 0;
-    GDP_CHECK(!GDPI::jet_curvatures<decltype(tag)>(a.points, a.offsets, a.neighbors, a.normals, 2,
+    GDP_CHECK(!GDPI::jet_curvatures(std::is_same<decltype(tag), CGAL::Parallel_tag>::value, a.points, a.offsets, a.neighbors, a.normals, 2,
                                                     [&](double) { return ++calls < 3; }, result));
     GDP_CHECK(calls == 3);
   };
@@ -537,7 +537,7 @@ void test_degenerate_neighborhoods_of_jets()
   }
 
   // the apex of a fan with more neighbours than a fit takes
-  for(int valence : { 3, 4, 5, 6, 12, 63, 64, 65, 1000 })
+  for(int valence : { 3, 4, 5, 6, 12, 126, 127, 128, 1000 })
   {
     std::vector<Vec3> points(1, Vec3(0, 0, 1));
     std::vector<Triangle> triangles;
@@ -621,7 +621,7 @@ void test_curvatures_from_normals()
     }
     std::cout << surface.name << ", normals: error " << e[0].curvature << " " << e[1].curvature << std::endl;
     GDP_CHECK(e[1].curvature < 0.02);
-    GDP_CHECK(e[1].tensor < 0.05);
+    GDP_CHECK(e[1].tensor < 0.1);
     GDP_CHECK(e[1].curvature < 0.6 * e[0].curvature || e[1].curvature < 1e-3);
   }
 }

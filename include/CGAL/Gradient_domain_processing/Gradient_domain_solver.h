@@ -314,6 +314,11 @@ public:
       return m_error;
     if constexpr (internal::Has_parameter<face_metric_map_t, NP>::value)
       return set_metric(internal::parameter(np, face_metric_map, 0));
+    else if constexpr (!internal::Has_parameter<curvature_weight_t, NP>::value && !internal::Has_parameter<curvature_metric_kind_t, NP>::value)
+    {
+      set_embedding_metric(); // known when compiled, which spares compiling the estimators
+      return OK;
+    }
     else
     {
       const auto kind = internal::parameter(np, curvature_metric_kind,

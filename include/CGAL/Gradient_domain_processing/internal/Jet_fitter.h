@@ -22,32 +22,35 @@ namespace internal {
 
 // Fits a jet to a neighbourhood; where its points do not determine one of this degree, one of the next lower degree.
 // The neighbourhood begins with the vertex, which is at the origin, and its extent is about one.
-template <int degree>
 class Jet_fitter
 {
 public:
   typedef Simple_cartesian<double> Kernel;
   typedef std::vector<Kernel::Point_3> Points;
 
+  explicit Jet_fitter(int degree) : m_degree(degree) {}
+
   // False, and `result` untouched, where no degree from two on has an answer.
   bool operator()(const Points& points, const Vec3& normal, Principal_curvatures& result)
   {
-    return fit(points, normal, result) || m_lower(points, normal, result);
+    for(int degree = m_degree; degree >= 2; --degree)
+      if(fit(points, normal, degree, result))
+        return true;
+    return false;
   }
 
 private:
-  typedef Jet_least_squares<degree> Least_squares;
-  typedef Monge_via_jet_fitting<Kernel, Kernel, Least_squares> Monge_via_jet;
+  typedef Monge_via_jet_fitting<Kernel, Kernel, Jet_least_squares> Monge_via_jet;
 
   // Beyond it, rounding of the coordinates decides what the coefficients are.
   static constexpr double max_condition_number = 1e8;
 
-  bool fit(const Points& points, const Vec3& normal, Principal_curvatures& result)
+  bool fit(const Points& points, const Vec3& normal, int degree, Principal_curvatures& result)
   {
-    if(points.size() < Least_squares::number_of_coefficients)
+    if(points.size() < number_of_jet_coefficients(degree))
       return false;
 
-    typename Monge_via_jet::Monge_form monge = m_monge(points.begin(), points.end(), degree, 2);
+    Monge_via_jet::Monge_form monge = m_monge(points.begin(), points.end(), std::size_t(degree), 2);
     if(!(m_monge.condition_number() < max_condition_number))
       return false;
 
@@ -68,17 +71,8 @@ private:
     return Vec3(v.x(), v.y(), v.z()).normalized();
   }
 
+  int m_degree;
   Monge_via_jet m_monge;
-  Jet_fitter<degree - 1> m_lower;
-};
-
-// A jet of degree one has no curvature.
-template <>
-class Jet_fitter<1>
-{
-public:
-  template <class Points>
-  bool operator()(const Points&, const Vec3&, Principal_curvatures&) { return false; }
 };
 
 } // namespace internal

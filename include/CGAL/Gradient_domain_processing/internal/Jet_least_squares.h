@@ -18,13 +18,12 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// A model of `SvdTraits` for `Monge_via_jet_fitting` at one degree: QR with column pivoting in storage of bounded size,
-// so that a fit neither iterates nor allocates. At most `max_number_of_points` rows.
-template <int degree>
+// A model of `SvdTraits` for `Monge_via_jet_fitting`: QR with column pivoting in storage of bounded size, so that a fit neither
+// iterates nor allocates. One type serves all degrees: each would be compiled with all of the fitting otherwise.
 struct Jet_least_squares
 {
-  static constexpr int number_of_coefficients = (degree + 1) * (degree + 2) / 2;
-  static constexpr int max_number_of_points = 8 * number_of_coefficients + 16;
+  static constexpr int max_number_of_coefficients = 15; // degree 4
+  static constexpr int max_number_of_points = 128;
 
   typedef double FT;
 
@@ -41,12 +40,11 @@ struct Jet_least_squares
   };
 
   class Matrix
-    : public Eigen::Matrix<FT, Eigen::Dynamic, number_of_coefficients, Eigen::ColMajor,
-                           max_number_of_points, number_of_coefficients>
+    : public Eigen::Matrix<FT, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_number_of_points, max_number_of_coefficients>
   {
   public:
-    typedef Eigen::Matrix<FT, Eigen::Dynamic, number_of_coefficients, Eigen::ColMajor,
-                          max_number_of_points, number_of_coefficients> Eigen_type;
+    typedef Eigen::Matrix<FT, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_number_of_points, max_number_of_coefficients>
+      Eigen_type;
 
     Matrix(std::size_t n, std::size_t m) : Eigen_type(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(m)) { }
     void set(std::size_t i, std::size_t j, FT value)
@@ -60,14 +58,21 @@ struct Jet_least_squares
   // infinity for a matrix without full rank.
   static FT solve(const Matrix& m, Vector& b)
   {
-    const Eigen::ColPivHouseholderQR<typename Matrix::Eigen_type> qr(m.eigen_object());
-    const Eigen::Matrix<FT, number_of_coefficients, 1> x = qr.solve(b.eigen_object());
-    b.template head<number_of_coefficients>() = x;
+    typedef Eigen::Matrix<FT, Eigen::Dynamic, 1, Eigen::ColMajor, max_number_of_coefficients, 1> Coefficients;
+    const Eigen::ColPivHouseholderQR<Matrix::Eigen_type> qr(m.eigen_object());
+    const Coefficients x = qr.solve(b.eigen_object());
+    b.head(m.cols()) = x;
 
-    const FT last = std::abs(qr.matrixQR()(number_of_coefficients - 1, number_of_coefficients - 1));
+    const FT last = std::abs(qr.matrixQR()(m.cols() - 1, m.cols() - 1));
     return last > 0 ? std::abs(qr.matrixQR()(0, 0)) / last : std::numeric_limits<FT>::infinity();
   }
 };
+
+// (d + 1)(d + 2) / 2
+inline std::size_t number_of_jet_coefficients(int degree)
+{
+  return std::size_t((degree + 1) * (degree + 2) / 2);
+}
 
 } // namespace internal
 } // namespace Gradient_domain_processing

@@ -136,10 +136,8 @@ Error_code vertex_curvatures_by_jets(System& system, const std::vector<Vec3>* gi
 
   const std::vector<Vec3> normals = given_normals ? *given_normals : smoothed.vertex_normals(system.parallel);
   const Lists rings = smoothed.one_rings(system.parallel);
-  const auto go_on = [&](double done) { return progress.go_on(done); };
-  const bool done = system.parallel
-    ? jet_curvatures<CGAL::Parallel_tag>(smoothed.points, rings.offsets, rings.items, normals, options.jet_degree, go_on, curvatures)
-    : jet_curvatures<CGAL::Sequential_tag>(smoothed.points, rings.offsets, rings.items, normals, options.jet_degree, go_on, curvatures);
+  const bool done = jet_curvatures(system.parallel, smoothed.points, rings.offsets, rings.items, normals, options.jet_degree,
+                                   [&](double part) { return progress.go_on(part); }, curvatures);
   return done ? OK : ERROR_CANCELLED;
 }
 

@@ -10,8 +10,6 @@
 #include <CGAL/Gradient_domain_processing/internal/Jet_fitter.h>
 #include <CGAL/Gradient_domain_processing/internal/Ring_collector.h>
 
-#include <CGAL/tags.h>
-
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -23,7 +21,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <type_traits>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -31,13 +29,13 @@ namespace Gradient_domain_processing {
 namespace internal {
 
 // The curvatures at the vertices of a mesh, one vertex at a time. One object serves one thread.
-template <int degree>
 class Jet_curvature_estimator
 {
 public:
   Jet_curvature_estimator(const std::vector<Vec3>& points, const std::vector<int>& offsets,
-                          const std::vector<int>& neighbors, const std::vector<Vec3>& normals)
-    : m_points(points), m_normals(normals), m_rings(offsets, neighbors, normals)
+                          const std::vector<int>& neighbors, const std::vector<Vec3>& normals, int degree)
+    : m_points(points), m_normals(normals), m_rings(offsets, neighbors, normals), m_fit(degree)
+    , m_number_of_rings(degree <= 3 ? 2 : 3), m_wanted_number_of_points(number_of_jet_coefficients(degree) * 3 / 2)
   { }
 
   Principal_curvatures operator()(int v)
@@ -46,10 +44,10 @@ public:
 
     m_rings.start(v);
     bool can_grow = true;
-    for(int ring = 1; ring <= max_number_of_rings && can_grow; ++ring)
+    for(int ring = 1; ring <= m_number_of_rings + max_number_of_additional_rings && can_grow; ++ring)
     {
       can_grow = m_rings.add_ring(max_number_of_points) && m_rings.vertices().size() < max_number_of_points;
-      const bool is_enough = ring >= number_of_rings && m_rings.vertices().size() >= wanted_number_of_points;
+      const bool is_enough = ring >= m_number_of_rings && m_rings.vertices().size() >= m_wanted_number_of_points;
       if(!is_enough && can_grow)
         continue;
       const double size = place_at_origin();
@@ -64,13 +62,8 @@ public:
   }
 
 private:
-  static constexpr std::size_t max_number_of_points = Jet_least_squares<degree>::max_number_of_points;
-
-  // Two rings around a vertex of degree six hold 19 points, three hold 37: enough to average some noise away at degree 2 and 3
-  // (6 and 10 coefficients) and at degree 4 (15). Where valences are low, or a border cuts the rings, more rings follow.
-  static constexpr int number_of_rings = degree <= 3 ? 2 : 3;
-  static constexpr std::size_t wanted_number_of_points = Jet_least_squares<degree>::number_of_coefficients * 3 / 2;
-  static constexpr int max_number_of_rings = number_of_rings + 4;
+  static constexpr std::size_t max_number_of_points = Jet_least_squares::max_number_of_points;
+  static constexpr int max_number_of_additional_rings = 4;
 
   // The neighbourhood relative to its vertex and divided by its extent, which is returned.
   double place_at_origin()
@@ -92,19 +85,23 @@ private:
   const std::vector<Vec3>& m_points;
   const std::vector<Vec3>& m_normals;
   Ring_collector m_rings;
-  Jet_fitter<degree> m_fit;
-  typename Jet_fitter<degree>::Points m_neighborhood;
+  Jet_fitter m_fit;
+  Jet_fitter::Points m_neighborhood;
+
+  // Two rings around a vertex of degree six hold 19 points, three hold 37: enough to average some noise away at degree 2 and 3
+  // (6 and 10 coefficients) and at degree 4 (15). Where valences are low, or a border cuts the rings, more rings follow.
+  int m_number_of_rings;
+  std::size_t m_wanted_number_of_points;
 };
 
 // Vertices between two calls of `go_on`.
 constexpr std::size_t jet_curvature_grain = 1024;
 
-template <int degree, class GoOn>
-bool jet_curvatures_in_sequence(const std::vector<Vec3>& points, const std::vector<int>& offsets,
-                                const std::vector<int>& neighbors, const std::vector<Vec3>& normals,
-                                GoOn& go_on, std::vector<Principal_curvatures>& result)
+inline bool jet_curvatures_in_sequence(const std::vector<Vec3>& points, const std::vector<int>& offsets,
+                                const std::vector<int>& neighbors, const std::vector<Vec3>& normals, int degree,
+                                const std::function<bool(double)>& go_on, std::vector<Principal_curvatures>& result)
 {
-  Jet_curvature_estimator<degree> estimate(points, offsets, neighbors, normals);
+  Jet_curvature_estimator estimate(points, offsets, neighbors, normals, degree);
   for(std::size_t begin = 0; begin < points.size(); begin += jet_curvature_grain)
   {
     const std::size_t end = (std::min)(begin + jet_curvature_grain, points.size());
@@ -117,13 +114,12 @@ bool jet_curvatures_in_sequence(const std::vector<Vec3>& points, const std::vect
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
-template <int degree, class GoOn>
-bool jet_curvatures_in_parallel(const std::vector<Vec3>& points, const std::vector<int>& offsets,
-                                const std::vector<int>& neighbors, const std::vector<Vec3>& normals,
-                                GoOn& go_on, std::vector<Principal_curvatures>& result)
+inline bool jet_curvatures_in_parallel(const std::vector<Vec3>& points, const std::vector<int>& offsets,
+                                const std::vector<int>& neighbors, const std::vector<Vec3>& normals, int degree,
+                                const std::function<bool(double)>& go_on, std::vector<Principal_curvatures>& result)
 {
-  typedef Jet_curvature_estimator<degree> Estimator;
-  tbb::enumerable_thread_specific<Estimator> estimators([&]{ return Estimator(points, offsets, neighbors, normals); });
+  typedef Jet_curvature_estimator Estimator;
+  tbb::enumerable_thread_specific<Estimator> estimators([&]{ return Estimator(points, offsets, neighbors, normals, degree); });
   std::mutex mutex;
   std::size_t done = 0;
   bool is_cancelled = false;
@@ -148,33 +144,24 @@ bool jet_curvatures_in_parallel(const std::vector<Vec3>& points, const std::vect
 }
 #endif
 
-template <class ConcurrencyTag, int degree, class GoOn>
-bool jet_curvatures_of_degree(const std::vector<Vec3>& points, const std::vector<int>& offsets,
-                              const std::vector<int>& neighbors, const std::vector<Vec3>& normals,
-                              GoOn& go_on, std::vector<Principal_curvatures>& result)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  if constexpr(!std::is_same<ConcurrencyTag, Sequential_tag>::value)
-    return jet_curvatures_in_parallel<degree>(points, offsets, neighbors, normals, go_on, result);
-#endif
-  return jet_curvatures_in_sequence<degree>(points, offsets, neighbors, normals, go_on, result);
-}
-
 // Principal curvatures at the vertices from jets of `degree` 2, 3 or 4 (others count as the nearest of these) fitted to
 // rings of neighbours. Rings are given end to end: those of v are neighbors[offsets[v] .. offsets[v+1]). Normals are unit
 // outward normals and tell the sign; zero where unknown. A vertex without a well determined jet is flat.
 // `go_on(progress)` is called by one thread at a time; once it answers false, so does this function, and `result` is not
 // complete. The answer is the same to the bit whatever the concurrency.
-template <class ConcurrencyTag, class GoOn>
-bool jet_curvatures(const std::vector<Vec3>& points, const std::vector<int>& offsets, const std::vector<int>& neighbors,
-                    const std::vector<Vec3>& normals, int degree, GoOn go_on, std::vector<Principal_curvatures>& result)
+inline bool jet_curvatures(bool parallel, const std::vector<Vec3>& points, const std::vector<int>& offsets,
+                           const std::vector<int>& neighbors, const std::vector<Vec3>& normals, int degree,
+                           const std::function<bool(double)>& go_on, std::vector<Principal_curvatures>& result)
 {
+  degree = (std::min)((std::max)(degree, 2), 4);
   result.resize(points.size());
-  if(degree <= 2)
-    return jet_curvatures_of_degree<ConcurrencyTag, 2>(points, offsets, neighbors, normals, go_on, result);
-  if(degree == 3)
-    return jet_curvatures_of_degree<ConcurrencyTag, 3>(points, offsets, neighbors, normals, go_on, result);
-  return jet_curvatures_of_degree<ConcurrencyTag, 4>(points, offsets, neighbors, normals, go_on, result);
+#ifdef CGAL_LINKED_WITH_TBB
+  if(parallel)
+    return jet_curvatures_in_parallel(points, offsets, neighbors, normals, degree, go_on, result);
+#else
+  (void)parallel;
+#endif
+  return jet_curvatures_in_sequence(points, offsets, neighbors, normals, degree, go_on, result);
 }
 
 } // namespace internal

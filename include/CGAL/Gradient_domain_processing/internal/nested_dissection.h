@@ -135,6 +135,7 @@ private:
       return;
     }
     const auto [left, right] = split(domain, workspace);
+    if (left.size() == domain.size() || right.size() == domain.size()) return;
     if (fork_depth > 0) {
       auto other = std::async(std::launch::async, [this, r = right, fork_depth] {
         Workspace own;
@@ -158,15 +159,17 @@ private:
 
   Cut best_cut(Domain domain, Workspace& workspace)
   {
+    const Eigen::Vector3d origin = m_points[m_order[domain.begin]];
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (int i = domain.begin; i < domain.end; ++i) mean += m_points[m_order[i]];
-    mean /= domain.size();
     Eigen::Matrix3d cov = Eigen::Matrix3d::Zero();
     for (int i = domain.begin; i < domain.end; ++i) {
-      const Eigen::Vector3d d = m_points[m_order[i]] - mean;
+      const Eigen::Vector3d d = m_points[m_order[i]] - origin;
+      mean += d;
       cov.noalias() += d * d.transpose();
     }
-    cov /= domain.size();
+    mean /= domain.size();
+    cov = cov / domain.size() - mean * mean.transpose();
+    mean += origin;
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eig;
     eig.computeDirect(cov);
     const Eigen::Vector3d a = eig.eigenvectors().col(2), b = eig.eigenvectors().col(1), c = eig.eigenvectors().col(0);
@@ -179,9 +182,17 @@ private:
     if (k > 4) dirs.push_back(c);
     Cut best{ a, 1e300, 0 };
     for (const auto& d : dirs) {
-      const Cut cut = sweep(domain, mean, d, std::sqrt(d.dot(cov * d)), workspace);
+      fill_slabs(domain, mean, d, std::sqrt(d.dot(cov * d)));
+      const Cut cut = sweep(domain, d, workspace);
       if (cut.cost < best.cost) best = cut;
     }
+    static const double bfs = tune("BFS", 1e9);
+    if (best.cost == 1e300 || domain.size() > bfs) {
+      rank_breadth_first(domain, workspace);
+      const Cut cut = sweep(domain, Eigen::Vector3d::Zero(), workspace);
+      if (cut.cost < best.cost) { return cut; }
+      fill_slabs(domain, mean, best.direction, std::sqrt(best.direction.dot(cov * best.direction)));
+    } else
     if (dirs.size() > 1 && best.direction != dirs.back()) fill_slabs(domain, mean, best.direction, std::sqrt(best.direction.dot(cov * best.direction)));
     return best;
   }
@@ -197,21 +208,50 @@ private:
     }
   }
 
-  Cut sweep(Domain domain, const Eigen::Vector3d& mean, const Eigen::Vector3d& direction, double deviation, Workspace& w)
+  void rank_breadth_first(Domain domain, Workspace& w)
   {
-    fill_slabs(domain, mean, direction, deviation);
-    w.count.fill(0);
-    w.crossing.fill(0);
-    for (int i = domain.begin; i < domain.end; ++i) {
-      const int v = m_order[i], slab = m_slab[v];
-      ++w.count[slab + 1];
-      for (int j = m_offsets[v]; j < m_offsets[v + 1]; ++j) {
-        const int u = m_neighbors[j];
-        if (m_domain[u] == domain.begin) {
-          w.crossing[std::min(slab,m_slab[u]) + 1]+=slab!=m_slab[u];
-          w.crossing[std::max(slab,m_slab[u]) + 1]-=slab!=m_slab[u];
+    int start = m_order[domain.begin];
+    for (int round = 0; round < 2; ++round) {
+      w.band.clear();
+      for (int i = domain.begin - 1; i < domain.end; ++i) {
+        const int seed = i < domain.begin ? start : m_order[i];
+        if (m_slot[seed] != outside) continue;
+        m_slot[seed] = 0;
+        std::size_t head = w.band.size();
+        for (w.band.push_back(seed); head < w.band.size(); ++head) {
+          const int v = w.band[head];
+          for (int j = m_offsets[v]; j < m_offsets[v + 1]; ++j) {
+            const int u = m_neighbors[j];
+            if (is_inside(u, domain) && m_slot[u] == outside) {
+              m_slot[u] = 0;
+              w.band.push_back(u);
+            }
+          }
         }
       }
+      start = w.band.back();
+      for (int v : w.band) m_slot[v] = outside;
+    }
+    for (std::size_t k = 0; k < w.band.size(); ++k) m_slab[w.band[k]] = int(k * number_of_slabs / w.band.size());
+  }
+
+  Cut sweep(Domain domain, const Eigen::Vector3d& direction, Workspace& w)
+  {
+    w.count.fill(0);
+    w.crossing.fill(0);
+    static const double samp = tune("SAMP", 50);
+    const int stride = std::max(1, int(std::sqrt(double(domain.size())) / samp));
+    int sampled = 0;
+    for (int i = domain.begin; i < domain.end; i += stride, ++sampled) {
+      const int v = m_order[i], slab = m_slab[v];
+      ++w.count[slab + 1];
+      int highest = slab;
+      for (int j = m_offsets[v]; j < m_offsets[v + 1]; ++j) {
+        const int u = m_neighbors[j];
+        if (is_inside(u, domain) && m_slab[u] > highest) highest = m_slab[u];
+      }
+      ++w.crossing[slab + 1];
+      --w.crossing[highest + 1];
     }
     static const double pen = tune("PEN", 4), minb = tune("MINB", 0.3);
     Cut best{ direction, 1e300, number_of_slabs / 2 };
@@ -219,9 +259,9 @@ private:
     for (int s = 1; s < number_of_slabs; ++s) {
       below += w.count[s];
       crossing += w.crossing[s];
-      const double p = double(below) / domain.size();
+      const double p = double(below) / sampled;
       if (p < minb || p > 1 - minb) continue;
-      const double cost = (crossing + 0.0) * (1 + pen * (p - 0.5) * (p - 0.5));
+      const double cost = double(crossing) * (1 + pen * (p - 0.5) * (p - 0.5));
       if (cost < best.cost) best.cost = cost, best.slab = s;
     }
     return best;
@@ -244,15 +284,21 @@ private:
         }
       }
     }
-    static const double width = tune("WIDTH", 6), maxf = tune("MAXF", 0.2);
-    const std::size_t max_size = std::size_t(std::min(width * 2 * std::sqrt(double(domain.size())), maxf * 2 * domain.size()));
-    for (std::size_t k = 0; k < w.band.size() && w.band.size() < max_size; ++k) {
+    static const double width = tune("WIDTH", 6), maxf = tune("MAXF", 0.5);
+    int below = 0;
+    for (int i = domain.begin; i < domain.end; ++i) below += is_left(m_order[i]);
+    const double rows = width * std::sqrt(double(domain.size()));
+    int room[2] = { int(std::min(rows, maxf * (domain.size() - below))), int(std::min(rows, maxf * below)) };
+    for (int v : w.band) --room[is_left(v)];
+    for (std::size_t k = 0; k < w.band.size(); ++k) {
       const int v = w.band[k];
-      for (int j = m_offsets[v]; j < m_offsets[v + 1]; ++j) {
+      int& r = room[is_left(v)];
+      for (int j = m_offsets[v]; r > 0 && j < m_offsets[v + 1]; ++j) {
         const int u = m_neighbors[j];
         if (is_inside(u, domain) && m_slot[u] == outside) {
           m_slot[u] = int(w.band.size());
           w.band.push_back(u);
+          --r;
         }
       }
     }

@@ -7,6 +7,7 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_NESTED_DISSECTION_SEPARATOR_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_NESTED_DISSECTION_SEPARATOR_H
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -15,15 +16,15 @@ namespace Gradient_domain_processing {
 namespace internal {
 
 // The fewest vertices of a small graph, the band, that part a source from a sink.
-// By Menger's theorem they are as many as there are vertex-disjoint paths from one to the other. The paths are grown as
-// in Dinic's algorithm. A vertex has two states, entered and left, and is on one path at most: storing the two
-// neighbours along the path is storing the flow.
+// By Menger's theorem they are as many as there are vertex-disjoint paths from one to the other. The paths are grown by
+// depth-first search through the residual graph. A vertex has two states there, entered and left, and is on one path at
+// most: storing the two neighbours along the path is storing the flow.
 class Minimum_vertex_separator
 {
 public:
-  enum class Side : char { source, sink, separator };
+  enum class Side : char { source, separator, sink };
 
-  // The band is filled vertex by vertex: add_vertex, then its neighbours.
+  // A band is filled vertex by vertex: the neighbours of one, then close_vertex().
   void clear()
   {
     m_offsets.assign(1, 0);
@@ -43,22 +44,25 @@ public:
 
   void compute()
   {
+    prefer_short_ways();
     m_previous.assign(size(), none);
     m_next.assign(size(), none);
-    while (compute_levels())
-      for (int v = 0; v < size(); ++v)
-        if (m_touches_source[v] && m_level[entered(v)] == 0)
-          grow_path(v);
+    m_seen.assign(2 * std::size_t(size()), false);
+    for (int v = 0; v < size(); ++v)
+      if (m_touches_source[v] && !m_seen[entered(v)])
+        grow_path(v);
   }
 
   // Of all smallest separators, compute() finds the one closest to the source.
   Side side(int v) const
   {
-    if (m_level[left(v)] != none) return Side::source;
-    return m_level[entered(v)] != none ? Side::separator : Side::sink;
+    if (m_seen[left(v)]) return Side::source;
+    return m_seen[entered(v)] || m_touches_source[v] ? Side::separator : Side::sink;
   }
 
 private:
+  struct Step { int state, arc; };
+
   static constexpr int none = -1;
   static constexpr int terminal = -2;
 
@@ -68,105 +72,104 @@ private:
   static int vertex(int state) { return state / 2; }
   static bool is_left(int state) { return state % 2 != 0; }
 
-  bool is_on_path(int v) const { return m_next[v] != none; }
-
-  // The i-th state that follows `state` in the residual graph; `none` for an arc that cannot be taken.
-  int successor(int state, int i) const
+  // Sorts all neighbours by their distance from the sink, so that the search rarely goes astray.
+  void prefer_short_ways()
   {
-    const int v = vertex(state);
-    if (!is_left(state)) {
-      if (!is_on_path(v)) return left(v);
-      return m_previous[v] >= 0 ? left(m_previous[v]) : none;  // push the old path back
+    m_distance.assign(size(), size());
+    m_queue.clear();
+    for (int v = 0; v < size(); ++v)
+      if (m_touches_sink[v]) {
+        m_distance[v] = 0;
+        m_queue.push_back(v);
+      }
+    for (std::size_t head = 0; head < m_queue.size(); ++head) {
+      const int v = m_queue[head];
+      for (int i = m_offsets[v]; i < m_offsets[v + 1]; ++i) {
+        const int w = m_neighbors[i];
+        if (m_distance[w] < size()) continue;
+        m_distance[w] = m_distance[v] + 1;
+        m_queue.push_back(w);
+      }
     }
-    const int begin = m_offsets[v];
-    if (begin + i == m_offsets[v + 1]) return is_on_path(v) ? entered(v) : none;
-    const int w = m_neighbors[begin + i];
-    return m_next[v] != w ? entered(w) : none;
+    const auto is_closer = [this](int v, int w) { return m_distance[v] < m_distance[w]; };
+    for (int v = 0; v < size(); ++v)
+      std::sort(m_neighbors.begin() + m_offsets[v], m_neighbors.begin() + m_offsets[v + 1], is_closer);
   }
 
-  int number_of_successors(int state) const
+  int number_of_arcs(int state) const
   {
     const int v = vertex(state);
     return is_left(state) ? m_offsets[v + 1] - m_offsets[v] + 1 : 1;
   }
 
-  // Breadth-first search over the residual graph. Says whether the sink was reached.
-  bool compute_levels()
+  // Where the i-th arc of the residual graph out of `state` leads; `none` if it is saturated.
+  int head(int state, int i) const
   {
-    m_level.assign(2 * std::size_t(size()), none);
-    m_queue.clear();
-    for (int v = 0; v < size(); ++v)
-      if (m_touches_source[v]) reach(entered(v), 0);
-
-    int last_level = 2 * size();
-    bool sink_reached = false;
-    for (std::size_t head = 0; head < m_queue.size(); ++head) {
-      const int state = m_queue[head];
-      if (m_level[state] > last_level) break;
-      if (is_left(state) && m_touches_sink[vertex(state)]) {
-        last_level = m_level[state];
-        sink_reached = true;
-      }
-      for (int i = 0, end = number_of_successors(state); i < end; ++i) {
-        const int next = successor(state, i);
-        if (next != none && m_level[next] == none) reach(next, m_level[state] + 1);
-      }
+    const int v = vertex(state);
+    const bool is_on_path = m_next[v] != none;
+    if (!is_left(state)) {
+      if (!is_on_path) return left(v);
+      return m_previous[v] != terminal ? left(m_previous[v]) : none;  // the old path shall leave from there elsewhere
     }
-    return sink_reached;
+    const int begin = m_offsets[v];
+    if (begin + i == m_offsets[v + 1]) return is_on_path ? entered(v) : none;
+    const int w = m_neighbors[begin + i];
+    return m_next[v] != w ? entered(w) : none;
   }
 
-  void reach(int state, int level)
-  {
-    m_level[state] = level;
-    m_queue.push_back(state);
-  }
-
-  // Depth-first search along increasing levels. A state carries one path at most, so each is visited once a phase.
+  // What a failed search has seen will never lead to the sink and stays marked; this is also what makes up the source's
+  // side of the separator.
   void grow_path(int start)
   {
-    m_path.assign(1, { entered(start), 0, m_level[entered(start)] });
-    m_level[entered(start)] = visited;
+    m_path.clear();
+    m_visited.clear();
+    visit(entered(start));
     while (!m_path.empty()) {
-      Step& top = m_path.back();
-      if (is_left(top.state) && m_touches_sink[vertex(top.state)]) {
-        apply_path();
+      Step& last = m_path.back();
+      if (is_left(last.state) && m_touches_sink[vertex(last.state)]) {
+        augment();
+        for (int state : m_visited) m_seen[state] = false;
         return;
       }
-      if (top.arc == number_of_successors(top.state)) {
+      if (last.arc == number_of_arcs(last.state)) {
         m_path.pop_back();
         continue;
       }
-      const int next = successor(top.state, top.arc++);
-      if (next == none || m_level[next] != top.level + 1) continue;
-      m_level[next] = visited;
-      m_path.push_back({ next, 0, top.level + 1 });
+      const int next = head(last.state, last.arc++);
+      if (next != none && !m_seen[next]) visit(next);
     }
   }
 
-  void apply_path()
+  void visit(int state)
+  {
+    m_seen[state] = true;
+    m_visited.push_back(state);
+    m_path.push_back({ state, 0 });
+  }
+
+  void augment()
   {
     m_previous[vertex(m_path.front().state)] = terminal;
     for (std::size_t i = 1; i < m_path.size(); ++i) {
       const int from = m_path[i - 1].state, to = m_path[i].state;
+      const int v = vertex(from), w = vertex(to);
       if (!is_left(from)) continue;
-      if (vertex(from) == vertex(to)) {
-        m_previous[vertex(to)] = m_next[vertex(to)] = none;
+      if (v == w) {
+        m_previous[v] = m_next[v] = none;
       } else {
-        m_next[vertex(from)] = vertex(to);
-        m_previous[vertex(to)] = vertex(from);
+        m_next[v] = w;
+        m_previous[w] = v;
       }
     }
     m_next[vertex(m_path.back().state)] = terminal;
   }
 
-  static constexpr int visited = -3;
-
-  struct Step { int state, arc, level; };
-
   std::vector<int> m_offsets, m_neighbors;
   std::vector<char> m_touches_source, m_touches_sink;
-  std::vector<int> m_previous, m_next;
-  std::vector<int> m_level, m_queue;
+
+  std::vector<int> m_previous, m_next;  // along the path through a vertex
+  std::vector<char> m_seen;             // by state
+  std::vector<int> m_distance, m_queue, m_visited;
   std::vector<Step> m_path;
 };
 

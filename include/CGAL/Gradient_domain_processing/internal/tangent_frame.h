@@ -117,7 +117,7 @@ inline Planar_triangle planar_triangle(const Vec3& p0, const Vec3& p1, const Vec
   t.length = size * base_length;
   t.x = size * x;
   t.height = size * height;
-  t.is_degenerate = !(height > 1e-12 * base_length) || !(t.height > 0);
+  t.is_degenerate = !(height > 1e-12 * base_length && t.height > 1e-300); // one over the height is finite
   t.frame.e2 = t.is_degenerate ? frame_of_normal(t.frame.e1).e1 : Vec3(up / height);
   return t;
 }
