@@ -10,6 +10,7 @@
 /// \file Gradient_domain_processing.h
 /// Includes all of the package.
 
+#include <CGAL/Gradient_domain_processing/denoise.h>
 #include <CGAL/Gradient_domain_processing/enhance_details.h>
 #include <CGAL/Gradient_domain_processing/estimate_curvatures.h>
 #include <CGAL/Gradient_domain_processing/fit_to_gradients.h>

@@ -184,7 +184,7 @@ void test_verbs()
   auto normals = normals_mesh.add_property_map<Vertex, Vector>("v:normal").first;
   for(Vertex v : before.vertices())
   {
-    const Vec n = v < 200 && before.point(v).x() < 2 ? vec(before.point(v)).normalized() : Vec(0, 0, 1);
+    const Vec n = int(v) < 200 && before.point(v).x() < 2 ? vec(before.point(v)).normalized() : Vec(0, 0, 1);
     normals[v] = Vector(n.x(), n.y(), n.z());
   }
   for(const Region& region : test_regions(before))
@@ -235,7 +235,7 @@ void test_signals()
       Eigen::MatrixXd f(mesh.number_of_vertices(), 1), covectors = Eigen::MatrixXd::Zero(2 * mesh.number_of_faces(), 1);
       for(Vertex v : mesh.vertices())
       {
-        f(v, 0) = in[v];
+        f(int(v), 0) = in[v];
         energy.is_fixed[v] = !is_inside[v];
       }
       if(fits)
@@ -249,7 +249,7 @@ void test_signals()
         else if(!is_inside[v])
           GDP_CHECK(same_bits(out[v], in[v]));
         else
-          GDP_CHECK_NEAR(out[v], g(v, 0), 1e-11);
+          GDP_CHECK_NEAR(out[v], g(int(v), 0), 1e-11);
       }
     }
 }

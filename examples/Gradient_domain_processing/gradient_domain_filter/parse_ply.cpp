@@ -8,6 +8,7 @@
 #include "Mesh_file.h"
 #include "Text_scanner.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 
@@ -220,6 +221,9 @@ private:
         element.name = std::string(words.word());
         if(element.name.empty() || !words.integer(element.count))
           bad_header(line);
+        for(const Element& other : m_elements)
+          if(other.name == element.name)
+            bad_header(line);
         m_elements.push_back(element);
       }
       else if(key == "property")
@@ -315,8 +319,6 @@ private:
 
   void read_vertices(const Element& element, Numbers& numbers)
   {
-    if(!m_soup.points.empty())
-      throw Failure(m_path, "bad PLY header: vertices twice");
     Columns columns;
     const auto target = scalar_columns(element, columns);
     note_lists(element, nullptr);

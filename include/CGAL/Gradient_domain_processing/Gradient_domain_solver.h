@@ -618,7 +618,8 @@ private:
     m_squared_length_unit = internal::parameter(np, area_normalization, true)
                           ? internal::total_area(tm, vertex_points(tm, np), m_system.mesh.exponent)
                           : 1 / (m_system.mesh.unit() * m_system.mesh.unit());
-    m_error = read_constraints(is_fixed, np);
+    m_error = std::isfinite(m_squared_length_unit) ? read_constraints(is_fixed, np)
+                                                   : ERROR_INVALID_POINT; // outside of the region
     if(m_error == OK)
       m_error = read_weights(np);
     if(m_error == OK)

@@ -42,13 +42,17 @@
   ADD(interior_edge_weight_map)        \
   ADD(noise_level)                     \
   ADD(normal_similarity)               \
-  ADD(normal_similarity_floor)         \
   ADD(normal_similarity_decay)         \
+  ADD(normal_similarity_min)           \
+  ADD(normal_similarity_max)           \
   ADD(normal_smoothing_weight)         \
-  ADD(normal_smoothing_decay)          \
+  ADD(normal_smoothing_growth)         \
+  ADD(normal_smoothing_weight_max)     \
   ADD(number_of_normal_updates)        \
   ADD(number_of_position_updates)      \
-  ADD(position_weight)
+  ADD(residual_correlation)            \
+  ADD(border_value_weight)             \
+  ADD(border_normal_decay)
 
 // The names that newer versions of CGAL have and older ones lack.
 #if CGAL_VERSION_NR < 1060000000

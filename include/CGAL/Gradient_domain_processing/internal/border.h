@@ -14,6 +14,7 @@
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -47,6 +48,44 @@ inline std::vector<Border_edge> border_edges(const Mesh_arrays& mesh)
   return edges;
 }
 
+// Whether a piece of border that is stiff has neither a held vertex nor a value weight to hold it.
+inline bool has_floating_border(const Mesh_arrays& mesh, const Weights& weights, const std::vector<Border_edge>& edges,
+                                const std::vector<int>& column, int n)
+{
+  std::vector<int> parent(n);
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](int i) {
+    while(parent[i] != i)
+      i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  const auto for_each_edge = [&](const auto& work) {
+    for(const Border_edge& e : edges)
+    {
+      const auto& t = mesh.triangles[e.triangle];
+      work(t[e.from], t[e.to], weights.gradient_at(e.triangle) > 0);
+    }
+  };
+  for_each_edge([&](int v, int w, bool is_stiff) {
+    if(is_stiff && column[v] >= 0 && column[w] >= 0)
+      parent[root(column[v])] = root(column[w]);
+  });
+  std::vector<char> is_held(n, 0), floats(n, 0);
+  for_each_edge([&](int v, int w, bool is_stiff) {
+    const bool has_value = weights.value_at(v) > 0 || weights.value_at(w) > 0;
+    for(int i : {column[v], column[w]})
+      if(i >= 0)
+      {
+        is_held[root(i)] |= has_value || (is_stiff && (column[v] < 0 || column[w] < 0));
+        floats[root(i)] |= is_stiff;
+      }
+  });
+  for(int i = 0; i < n; ++i)
+    if(floats[i] && !is_held[i])
+      return true;
+  return false;
+}
+
 // Solves the one-dimensional problem on the border curves: the energy with lengths in place of areas and the derivative along
 // the border in place of the gradient. Only border vertices that are not `held` move.
 template <class Excess>
@@ -69,6 +108,8 @@ Error_code displace_border(const Mesh_arrays& mesh, const Weights& weights, cons
     return OK;
 
   const int n = int(vertex.size());
+  if(has_floating_border(mesh, weights, edges, column, n))
+    return ERROR_UNCONSTRAINED;
   std::vector<Eigen::Triplet<double> > entries; // a border is short
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, channels);
   for(const Border_edge& e : edges)
@@ -96,7 +137,7 @@ Error_code displace_border(const Mesh_arrays& mesh, const Weights& weights, cons
       matrix.coeffRef(i, i) = 1;
   Eigen::SimplicialLLT<Sparse_matrix> solver(matrix);
   if(solver.info() != Eigen::Success)
-    return ERROR_UNCONSTRAINED;
+    return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
   const Eigen::MatrixXd solution = solver.solve(right);
   for(int i = 0; i < n; ++i)
     displacement.row(vertex[i]) = solution.row(i);

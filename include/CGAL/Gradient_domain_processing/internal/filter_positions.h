@@ -23,11 +23,12 @@ auto writable_points(TriangleMesh& tm, const NamedParameters& np)
 
 // Runs passes over the positions in the solver's arrays and writes the mesh when all went well.
 template <class Solver, class TriangleMesh, class NamedParameters, class Passes>
-Error_code change_positions(Solver& solver, TriangleMesh& tm, const NamedParameters& np, const Passes& passes)
+Error_code change_positions(Solver& solver, TriangleMesh& tm, const NamedParameters& np, const Passes& passes,
+                            bool restores_volume_by_default = false)
 {
   if(solver.error() != OK)
     return solver.error();
-  const bool restores_volume = parameter(np, CGAL::internal_np::restore_volume, false);
+  const bool restores_volume = parameter(np, CGAL::internal_np::restore_volume, restores_volume_by_default);
   if(restores_volume && !solver.encloses_volume())
     return ERROR_NO_VOLUME;
   Mesh_arrays& mesh = solver.system().mesh;

@@ -8,6 +8,7 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_NESTED_DISSECTION_H
 
 #include <CGAL/Gradient_domain_processing/internal/nested_dissection_leaf.h>
+#include <CGAL/Gradient_domain_processing/internal/nested_dissection_morton.h>
 #include <CGAL/Gradient_domain_processing/internal/nested_dissection_separator.h>
 
 #include <CGAL/tags.h>
@@ -18,9 +19,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <cstdlib>
+#include <cstddef>
 #include <future>
+#include <limits>
 #include <numeric>
 #include <type_traits>
 #include <utility>
@@ -30,366 +31,383 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-inline double tune(const char* name, double d) { const char* s = std::getenv(name); return s ? std::atof(s) : d; }
-
-// The vertices along a Morton curve: neighbours in space become neighbours in memory.
-inline std::vector<int> morton_order(const std::vector<Eigen::Vector3d>& points)
-{
-  constexpr int bits = 10;
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& p : points) box.extend(p);
-  const double extent = points.empty() ? 0. : box.sizes().maxCoeff();
-  const double scale = extent > 0 ? ((1 << bits) - 1) / extent : 0.;
-
-  auto spread = [](std::uint32_t x) {  // abc -> a00b00c
-    x = (x | x << 16) & 0x030000FF;
-    x = (x | x << 8) & 0x0300F00F;
-    x = (x | x << 4) & 0x030C30C3;
-    return (x | x << 2) & 0x09249249;
-  };
-  std::vector<std::uint32_t> keys(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3d cell = (points[i] - box.min()) * scale;
-    keys[i] = spread(std::uint32_t(cell.x())) | spread(std::uint32_t(cell.y())) << 1 | spread(std::uint32_t(cell.z())) << 2;
-  }
-
-  std::vector<int> order(points.size()), sorted(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  constexpr std::uint32_t radix = 1 << bits;
-  for (int shift = 0; shift < 3 * bits; shift += bits) {
-    std::vector<int> position(radix + 1, 0);
-    for (std::uint32_t key : keys) ++position[(key >> shift) % radix + 1];
-    std::partial_sum(position.begin(), position.end(), position.begin());
-    for (int i : order) sorted[position[(keys[i] >> shift) % radix]++] = i;
-    order.swap(sorted);
-  }
-  return order;
-}
-
+// A fill-reducing order: a few vertices, the separator, part a domain in two; they are eliminated after both halves,
+// which are ordered in the same way. A plane chosen from a few directions says where to cut, a maximum flow in a band around
+// it how. The graph may be any; the points only help to cut it well.
 class Nested_dissection
 {
 public:
-  Nested_dissection(const std::vector<Eigen::Vector3d>& points, const std::vector<int>& offsets, const std::vector<int>& neighbors)
-    : m_original(morton_order(points)),
-      m_order(points.size()), m_domain(points.size(), 0), m_slab(points.size()), m_slot(points.size(), outside)
+  Nested_dissection(const std::vector<Eigen::Vector3d>& points, const std::vector<int>& offsets,
+                    const std::vector<int>& neighbors)
+    : m_original(morton_order(points)), m_order(points.size()), m_domain(points.size(), 0), m_slab(points.size()),
+      m_slot(points.size(), outside)
   {
     renumber(points, offsets, neighbors);
   }
 
-  std::vector<int> compute(int fork_depth)
+  // Both halves of a domain are ordered at the same time in the first levels of the recursion. They share no edge, and
+  // all that is written belongs to a vertex: the result does not depend on it.
+  std::vector<int> compute(int number_of_parallel_levels)
   {
     std::iota(m_order.begin(), m_order.end(), 0);
-    Workspace workspace;
-    dissect({ 0, int(m_order.size()) }, fork_depth, workspace);
+    Workspace workspace(m_order.size());
+    dissect({ 0, int(m_order.size()) }, number_of_parallel_levels, workspace);
     for (int& v : m_order) v = m_original[v];
     return std::move(m_order);
   }
 
 private:
+  using Side = Minimum_vertex_separator::Side;
+
+  // A range of m_order.
   struct Domain
   {
     int begin, end;
     int size() const { return end - begin; }
   };
 
+  // Slabs are numbered along a direction; the left half are those below `slab`.
+  struct Cut
+  {
+    double cost;
+    int slab;
+  };
+
+  struct Scatter
+  {
+    Eigen::Vector3d mean;
+    Eigen::Matrix3d covariance;
+  };
+
   static constexpr int number_of_slabs = 256;
+  static constexpr int outside = -1;
+  static constexpr int separated = -1;
 
   struct Workspace
   {
+    explicit Workspace(std::size_t n) : boundary_slot(n, outside) {}
+
     Minimum_vertex_separator separator;
     Leaf_elimination leaf;
-    std::vector<int> band, buffer, right;
-    std::array<int, number_of_slabs + 1> count, crossing;
+    std::vector<int> queue, right, between;
+    std::vector<int> boundary_slot;
+    std::array<int, number_of_slabs + 1> population, crossing;
   };
 
-  struct Cut
+  void renumber(const std::vector<Eigen::Vector3d>& points, const std::vector<int>& offsets,
+                const std::vector<int>& neighbors)
   {
-    Eigen::Vector3d direction;
-    double cost;
-    int slab;  // left: below this one
-  };
-
-  void renumber(const std::vector<Eigen::Vector3d>& points, const std::vector<int>& offsets, const std::vector<int>& neighbors)
-  {
-    const int n = int(points.size());
+    const std::size_t n = points.size();
     std::vector<int> rank(n);
-    for (int i = 0; i < n; ++i) rank[m_original[i]] = i;
-    m_points.resize(n);
-    m_offsets.resize(n + 1);
-    m_neighbors.resize(neighbors.size());
-    m_offsets[0] = 0;
-    for (int i = 0; i < n; ++i) {
-      const int v = m_original[i];
-      m_points[i] = points[v];
-      int out = m_offsets[i];
-      for (int j = offsets[v]; j < offsets[v + 1]; ++j) m_neighbors[out++] = rank[neighbors[j]];
-      m_offsets[i + 1] = out;
+    for (std::size_t i = 0; i < n; ++i) rank[m_original[i]] = int(i);
+    m_points.reserve(n);
+    m_offsets.reserve(n + 1);
+    m_offsets.push_back(0);
+    m_neighbors.reserve(neighbors.size());
+    for (int v : m_original) {
+      m_points.push_back(points[v]);
+      for (int j = offsets[v]; j < offsets[v + 1]; ++j) m_neighbors.push_back(rank[neighbors[j]]);
+      m_offsets.push_back(int(m_neighbors.size()));
     }
   }
 
-  void dissect(Domain domain, int fork_depth, Workspace& workspace)
+  void dissect(Domain domain, int number_of_parallel_levels, Workspace& workspace)
   {
-    static const int leaf_size = int(tune("LEAF", 100));
-    if (domain.size() <= leaf_size) {
+    if (domain.size() <= Leaf_elimination::max_number_of_interior_vertices) {
       order_leaf(domain, workspace);
       return;
     }
-    const auto [left, right] = split(domain, workspace);
-    if (left.size() == domain.size() || right.size() == domain.size()) return;
-    if (fork_depth > 0) {
-      auto other = std::async(std::launch::async, [this, r = right, fork_depth] {
-        Workspace own;
-        dissect(r, fork_depth - 1, own);
-      });
-      dissect(left, fork_depth - 1, workspace);
-      other.get();
-    } else {
+    choose_sides(domain, workspace);
+    const auto [left, right] = partition(domain, workspace);
+    if (std::max(left.size(), right.size()) == domain.size()) return;  // nearly complete: no order is better
+
+    if (number_of_parallel_levels == 0) {
       dissect(left, 0, workspace);
       dissect(right, 0, workspace);
+      return;
     }
-  }
-
-  std::pair<Domain, Domain> split(Domain domain, Workspace& workspace)
-  {
-    const Cut cut = best_cut(domain, workspace);
-    collect_band(domain, cut, workspace);
-    refine(domain, cut, workspace);
-    return partition(domain, cut, workspace);
-  }
-
-  Cut best_cut(Domain domain, Workspace& workspace)
-  {
-    const Eigen::Vector3d origin = m_points[m_order[domain.begin]];
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    Eigen::Matrix3d cov = Eigen::Matrix3d::Zero();
-    for (int i = domain.begin; i < domain.end; ++i) {
-      const Eigen::Vector3d d = m_points[m_order[i]] - origin;
-      mean += d;
-      cov.noalias() += d * d.transpose();
-    }
-    mean /= domain.size();
-    cov = cov / domain.size() - mean * mean.transpose();
-    mean += origin;
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eig;
-    eig.computeDirect(cov);
-    const Eigen::Vector3d a = eig.eigenvectors().col(2), b = eig.eigenvectors().col(1), c = eig.eigenvectors().col(0);
-    static const int nd = int(tune("NDIR", 1));
-    static const int bign = int(tune("BIG", 0));
-    const int k = domain.size() > bign ? nd : 1;
-    std::vector<Eigen::Vector3d> dirs{ a };
-    if (k > 1) dirs.push_back(b);
-    if (k > 2) dirs.push_back((a + b).normalized()), dirs.push_back((a - b).normalized());
-    if (k > 4) dirs.push_back(c);
-    Cut best{ a, 1e300, 0 };
-    for (const auto& d : dirs) {
-      fill_slabs(domain, mean, d, std::sqrt(d.dot(cov * d)));
-      const Cut cut = sweep(domain, d, workspace);
-      if (cut.cost < best.cost) best = cut;
-    }
-    static const double bfs = tune("BFS", 1e9);
-    if (best.cost == 1e300 || domain.size() > bfs) {
-      rank_breadth_first(domain, workspace);
-      const Cut cut = sweep(domain, Eigen::Vector3d::Zero(), workspace);
-      if (cut.cost < best.cost) { return cut; }
-      fill_slabs(domain, mean, best.direction, std::sqrt(best.direction.dot(cov * best.direction)));
-    } else
-    if (dirs.size() > 1 && best.direction != dirs.back()) fill_slabs(domain, mean, best.direction, std::sqrt(best.direction.dot(cov * best.direction)));
-    return best;
-  }
-
-  void fill_slabs(Domain domain, const Eigen::Vector3d& mean, const Eigen::Vector3d& direction, double deviation)
-  {
-    static const double reach = tune("REACH", 1.4);
-    const double scale = number_of_slabs / (2 * reach * deviation);
-    for (int i = domain.begin; i < domain.end; ++i) {
-      const int v = m_order[i];
-      const double t = (m_points[v] - mean).dot(direction) * scale + number_of_slabs / 2;
-      m_slab[v] = int(std::min(std::max(t, 0.), number_of_slabs - 1.));
-    }
-  }
-
-  void rank_breadth_first(Domain domain, Workspace& w)
-  {
-    int start = m_order[domain.begin];
-    for (int round = 0; round < 2; ++round) {
-      w.band.clear();
-      for (int i = domain.begin - 1; i < domain.end; ++i) {
-        const int seed = i < domain.begin ? start : m_order[i];
-        if (m_slot[seed] != outside) continue;
-        m_slot[seed] = 0;
-        std::size_t head = w.band.size();
-        for (w.band.push_back(seed); head < w.band.size(); ++head) {
-          const int v = w.band[head];
-          for (int j = m_offsets[v]; j < m_offsets[v + 1]; ++j) {
-            const int u = m_neighbors[j];
-            if (is_inside(u, domain) && m_slot[u] == outside) {
-              m_slot[u] = 0;
-              w.band.push_back(u);
-            }
-          }
-        }
-      }
-      start = w.band.back();
-      for (int v : w.band) m_slot[v] = outside;
-    }
-    for (std::size_t k = 0; k < w.band.size(); ++k) m_slab[w.band[k]] = int(k * number_of_slabs / w.band.size());
-  }
-
-  Cut sweep(Domain domain, const Eigen::Vector3d& direction, Workspace& w)
-  {
-    w.count.fill(0);
-    w.crossing.fill(0);
-    static const double samp = tune("SAMP", 50);
-    const int stride = std::max(1, int(std::sqrt(double(domain.size())) / samp));
-    int sampled = 0;
-    for (int i = domain.begin; i < domain.end; i += stride, ++sampled) {
-      const int v = m_order[i], slab = m_slab[v];
-      ++w.count[slab + 1];
-      int highest = slab;
-      for (int j = m_offsets[v]; j < m_offsets[v + 1]; ++j) {
-        const int u = m_neighbors[j];
-        if (is_inside(u, domain) && m_slab[u] > highest) highest = m_slab[u];
-      }
-      ++w.crossing[slab + 1];
-      --w.crossing[highest + 1];
-    }
-    static const double pen = tune("PEN", 4), minb = tune("MINB", 0.3);
-    Cut best{ direction, 1e300, number_of_slabs / 2 };
-    int below = 0, crossing = 0;
-    for (int s = 1; s < number_of_slabs; ++s) {
-      below += w.count[s];
-      crossing += w.crossing[s];
-      const double p = double(below) / sampled;
-      if (p < minb || p > 1 - minb) continue;
-      const double cost = double(crossing) * (1 + pen * (p - 0.5) * (p - 0.5));
-      if (cost < best.cost) best.cost = cost, best.slab = s;
-    }
-    return best;
+    auto ordered = std::async(std::launch::async | std::launch::deferred, [&, part = right] {
+      Workspace own(m_order.size());
+      dissect(part, number_of_parallel_levels - 1, own);
+    });
+    dissect(left, number_of_parallel_levels - 1, workspace);
+    ordered.get();
   }
 
   bool is_inside(int v, Domain domain) const { return m_domain[v] == domain.begin; }
 
-  void collect_band(Domain domain, const Cut& cut, Workspace& w)
+  template <typename Visitor>
+  void for_each_neighbor(int v, Domain domain, const Visitor& visit) const
   {
-    w.band.clear();
-    auto is_left = [&](int v) { return m_slab[v] < cut.slab; };
+    for (int j = m_offsets[v]; j < m_offsets[v + 1]; ++j)
+      if (is_inside(m_neighbors[j], domain)) visit(m_neighbors[j]);
+  }
+
+  void choose_sides(Domain domain, Workspace& workspace)
+  {
+    const Cut cut = find_cut(domain, workspace);
+    collect_band(domain, cut, workspace);
+    separate_band(domain, cut, workspace);
+  }
+
+  // Leaves the slabs of the best direction in m_slab.
+  Cut find_cut(Domain domain, Workspace& workspace)
+  {
+    const Scatter scatter = compute_scatter(domain);
+    const std::vector<Eigen::Vector3d> directions = candidate_directions(domain, scatter);
+    Cut best = no_cut();
+    std::size_t best_direction = 0;
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+      assign_slabs(domain, scatter, directions[k]);
+      const Cut cut = sweep(domain, workspace);
+      if (cut.cost >= best.cost) continue;
+      best = cut;
+      best_direction = k;
+    }
+    if (best.cost == no_cut().cost) {  // the points say little or nothing
+      assign_slabs_breadth_first(domain, workspace);
+      return sweep(domain, workspace);
+    }
+    if (best_direction + 1 < directions.size()) assign_slabs(domain, scatter, directions[best_direction]);
+    return best;
+  }
+
+  static Cut no_cut() { return { std::numeric_limits<double>::max(), number_of_slabs / 2 }; }
+
+  Scatter compute_scatter(Domain domain) const
+  {
+    // Sums relative to a point of the domain lose no digits.
+    const Eigen::Vector3d origin = m_points[m_order[domain.begin]];
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    for (int i = domain.begin; i < domain.end; ++i) {
+      const Eigen::Vector3d d = m_points[m_order[i]] - origin;
+      mean += d;
+      covariance.noalias() += d * d.transpose();
+    }
+    mean /= domain.size();
+    covariance = covariance / domain.size() - mean * mean.transpose();
+    return { mean + origin, covariance };
+  }
+
+  // The principal axis, and for domains large enough to repay it the second one and the two diagonals between them.
+  static std::vector<Eigen::Vector3d> candidate_directions(Domain domain, const Scatter& scatter)
+  {
+    constexpr int worth_a_choice = 1000;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter.covariance);
+    const Eigen::Vector3d first = solver.eigenvectors().col(2), second = solver.eigenvectors().col(1);
+    if (domain.size() < worth_a_choice) return { first };
+    return { (first + second).normalized(), (first - second).normalized(), second, first };
+  }
+
+  void assign_slabs(Domain domain, const Scatter& scatter, const Eigen::Vector3d& direction)
+  {
+    // In any distribution, all balanced cuts are this close to the mean.
+    constexpr double reach = 1.4;
+    const double deviation = std::sqrt(std::max(0., direction.dot(scatter.covariance * direction)));
+    const double scale = deviation > 0 ? number_of_slabs / (2 * reach * deviation) : 0.;
     for (int i = domain.begin; i < domain.end; ++i) {
       const int v = m_order[i];
-      for (int j = m_offsets[v]; j < m_offsets[v + 1]; ++j) {
-        const int u = m_neighbors[j];
-        if (is_inside(u, domain) && is_left(u) != is_left(v)) {
-          m_slot[v] = int(w.band.size());
-          w.band.push_back(v);
-          break;
-        }
-      }
-    }
-    static const double width = tune("WIDTH", 6), maxf = tune("MAXF", 0.5);
-    int below = 0;
-    for (int i = domain.begin; i < domain.end; ++i) below += is_left(m_order[i]);
-    const double rows = width * std::sqrt(double(domain.size()));
-    int room[2] = { int(std::min(rows, maxf * (domain.size() - below))), int(std::min(rows, maxf * below)) };
-    for (int v : w.band) --room[is_left(v)];
-    for (std::size_t k = 0; k < w.band.size(); ++k) {
-      const int v = w.band[k];
-      int& r = room[is_left(v)];
-      for (int j = m_offsets[v]; r > 0 && j < m_offsets[v + 1]; ++j) {
-        const int u = m_neighbors[j];
-        if (is_inside(u, domain) && m_slot[u] == outside) {
-          m_slot[u] = int(w.band.size());
-          w.band.push_back(u);
-          --r;
-        }
-      }
+      const double t = (m_points[v] - scatter.mean).dot(direction) * scale + number_of_slabs / 2;
+      m_slab[v] = int(std::min(std::max(t, 0.), number_of_slabs - 1.));
     }
   }
 
-  void refine(Domain domain, const Cut& cut, Workspace& w)
+  // Slabs of equal size in the order of a search that starts far from the middle.
+  void assign_slabs_breadth_first(Domain domain, Workspace& workspace)
   {
-    w.separator.clear();
-    for (int v : w.band) {
-      bool touches[2] = { false, false };
-      for (int j = m_offsets[v]; j < m_offsets[v + 1]; ++j) {
-        const int u = m_neighbors[j];
-        if (!is_inside(u, domain)) continue;
-        if (m_slot[u] != outside) w.separator.add_neighbor(m_slot[u]);
-        else touches[m_slab[u] < cut.slab] = true;
-      }
-      w.separator.close_vertex(touches[1], touches[0]);
-    }
-    w.separator.compute();
+    search_breadth_first(domain, m_order[domain.begin], workspace.queue);
+    search_breadth_first(domain, workspace.queue.back(), workspace.queue);
+    for (std::size_t k = 0; k < workspace.queue.size(); ++k)
+      m_slab[workspace.queue[k]] = int(k * number_of_slabs / workspace.queue.size());
   }
 
-  std::pair<Domain, Domain> partition(Domain domain, const Cut& cut, Workspace& w)
+  void search_breadth_first(Domain domain, int start, std::vector<int>& queue)
   {
-    using Side = Minimum_vertex_separator::Side;
-    w.buffer.clear();
-    w.right.clear();
-    int out = domain.begin;
+    queue.clear();
+    const auto reach = [&](int v) {
+      if (m_slot[v] != outside) return;
+      m_slot[v] = int(queue.size());
+      queue.push_back(v);
+    };
+    std::size_t head = 0;
+    const auto spread_from = [&](int seed) {
+      for (reach(seed); head < queue.size(); ++head) for_each_neighbor(queue[head], domain, reach);
+    };
+    spread_from(start);
+    for (int i = domain.begin; i < domain.end; ++i) spread_from(m_order[i]);
+    for (int v : queue) m_slot[v] = outside;
+  }
+
+  // Counts, for the cut below each slab, the vertices left of it with a neighbour right of it: all cuts in one pass.
+  Cut sweep(Domain domain, Workspace& workspace)
+  {
+    auto& population = workspace.population;
+    auto& crossing = workspace.crossing;
+    population.fill(0);
+    crossing.fill(0);
+    const int stride = sweep_stride(domain);
+    int total = 0;
+    for (int i = domain.begin; i < domain.end; i += stride, ++total) {
+      const int v = m_order[i];
+      int highest = m_slab[v];
+      for_each_neighbor(v, domain, [&](int u) { highest = std::max(highest, m_slab[u]); });
+      ++population[m_slab[v] + 1];
+      ++crossing[m_slab[v] + 1];
+      --crossing[highest + 1];
+    }
+    return cheapest_cut(population, crossing, total);
+  }
+
+  // A sample is enough: of a separator of about sqrt(n) vertices it sees some fifty.
+  static int sweep_stride(Domain domain) { return std::max(1, int(std::sqrt(double(domain.size())) / 50)); }
+
+  template <typename Counts>
+  static Cut cheapest_cut(const Counts& population, const Counts& crossing, int total)
+  {
+    constexpr double max_imbalance = 0.25;
+    constexpr double price_of_imbalance = 4;
+    Cut best = no_cut();
+    int below = 0, separating = 0;
+    for (int slab = 1; slab < number_of_slabs; ++slab) {
+      below += population[slab];
+      separating += crossing[slab];
+      const double imbalance = double(below) / total - 0.5;
+      if (std::abs(imbalance) > max_imbalance) continue;
+      const double cost = separating * (1 + price_of_imbalance * imbalance * imbalance);
+      if (cost < best.cost) best = { cost, slab };
+    }
+    return best;
+  }
+
+  // The band: all vertices with a neighbour across the cut, and as many layers around them as there is room for.
+  void collect_band(Domain domain, Cut cut, Workspace& workspace)
+  {
+    std::vector<int>& band = workspace.queue;
+    const auto is_left = [&](int v) { return m_slab[v] < cut.slab; };
+    const auto add = [&](int v) {
+      m_slot[v] = int(band.size());
+      band.push_back(v);
+    };
+    band.clear();
+    int number_of_left = 0;
     for (int i = domain.begin; i < domain.end; ++i) {
       const int v = m_order[i];
-      Side side = m_slab[v] < cut.slab ? Side::source : Side::sink;
-      if (m_slot[v] != outside) {
-        side = w.separator.side(m_slot[v]);
-        m_slot[v] = outside;
+      number_of_left += is_left(v);
+      bool crosses = false;
+      for_each_neighbor(v, domain, [&](int u) { crosses |= is_left(u) != is_left(v); });
+      if (crosses) add(v);
+    }
+
+    int room[2] = { room_in_band(domain, domain.size() - number_of_left), room_in_band(domain, number_of_left) };
+    for (int v : band) --room[is_left(v)];
+    for (std::size_t head = 0; head < band.size(); ++head)
+      for_each_neighbor(band[head], domain, [&](int u) {
+        if (m_slot[u] == outside && room[is_left(u)]-- > 0) add(u);
+      });
+  }
+
+  // A wide band gives the separator freedom; it must leave most of the side alone, for balance and for speed.
+  static int room_in_band(Domain domain, int size_of_side)
+  {
+    constexpr double layers = 10, part_of_side = 0.2;
+    return int(std::min(layers * std::sqrt(double(domain.size())), part_of_side * size_of_side));
+  }
+
+  // From here on, slabs tell the sides.
+  void separate_band(Domain domain, Cut cut, Workspace& workspace)
+  {
+    Minimum_vertex_separator& separator = workspace.separator;
+    separator.clear();
+    for (int v : workspace.queue) {
+      bool touches_left = false, touches_right = false;
+      for_each_neighbor(v, domain, [&](int u) {
+        if (m_slot[u] != outside) separator.add_neighbor(m_slot[u]);
+        else (m_slab[u] < cut.slab ? touches_left : touches_right) = true;
+      });
+      separator.close_vertex(touches_left, touches_right);
+    }
+    separator.compute();
+
+    for (int i = domain.begin; i < domain.end; ++i) {
+      const int v = m_order[i];
+      if (m_slot[v] != outside) m_slab[v] = int(separator.side(m_slot[v]));
+      else m_slab[v] = int(m_slab[v] < cut.slab ? Side::source : Side::sink);
+      m_slot[v] = outside;
+    }
+  }
+
+  // Left, right, separator: each in the order it had, which keeps it local in memory.
+  std::pair<Domain, Domain> partition(Domain domain, Workspace& workspace)
+  {
+    workspace.right.clear();
+    workspace.between.clear();
+    int end = domain.begin;
+    for (int i = domain.begin; i < domain.end; ++i) {
+      const int v = m_order[i];
+      switch (Side(m_slab[v])) {
+        case Side::source: m_order[end++] = v; break;
+        case Side::sink: workspace.right.push_back(v); break;
+        case Side::separator: workspace.between.push_back(v); break;
       }
-      if (side == Side::source) m_order[out++] = v;
-      else if (side == Side::sink) w.right.push_back(v);
-      else w.buffer.push_back(v);
     }
-    const Domain left{ domain.begin, out }, right{ out, out + int(w.right.size()) };
-    for (int v : w.right) { m_order[out++] = v; m_domain[v] = right.begin; }
-    for (int v : w.buffer) { m_order[out++] = v; m_domain[v] = eliminated_later; }
-    if (tune("DBG",1e9) < domain.size()) {
-      int bad=0; for (int i=left.begin;i<left.end;++i) for (int j=m_offsets[m_order[i]];j<m_offsets[m_order[i]+1];++j) bad += m_domain[m_neighbors[j]]==right.begin;
-      std::printf("m %d left %d right %d sep %zu band %zu cutcost %g slab %d bad %d\n",domain.size(),left.size(),right.size(),w.buffer.size(),w.band.size(),cut.cost,cut.slab,bad);
-    }
+    const Domain left{ domain.begin, end }, right{ end, end + int(workspace.right.size()) };
+    std::copy(workspace.right.begin(), workspace.right.end(), m_order.begin() + right.begin);
+    std::copy(workspace.between.begin(), workspace.between.end(), m_order.begin() + right.end);
+    for (int v : workspace.right) m_domain[v] = right.begin;
+    for (int v : workspace.between) m_domain[v] = separated;
     return { left, right };
   }
 
-  void order_leaf(Domain domain, Workspace& w)
+  void order_leaf(Domain domain, Workspace& workspace)
   {
-    for (int i = domain.begin; i < domain.end; ++i) m_slot[m_order[i]] = i - domain.begin;
-    w.leaf.reset(domain.size());
-    w.band.clear();
-    int boundary = domain.size();
-    for (int i = domain.begin; i < domain.end; ++i) {
-      const int v = m_order[i];
-      for (int j = m_offsets[v]; j < m_offsets[v + 1]; ++j) {
+    std::vector<int>& interior = workspace.queue;
+    std::vector<int>& boundary = workspace.between;
+    interior.assign(m_order.begin() + domain.begin, m_order.begin() + domain.end);
+    boundary.clear();
+    for (int k = 0; k < domain.size(); ++k) m_slot[interior[k]] = k;
+
+    workspace.leaf.reset(domain.size());
+    for (int k = 0; k < domain.size(); ++k)
+      for (int j = m_offsets[interior[k]]; j < m_offsets[interior[k] + 1]; ++j) {
         const int u = m_neighbors[j];
-        int s;
-        if (is_inside(u, domain)) s = m_slot[u];
-        else {
-          const auto it = std::find(w.band.begin(), w.band.end(), u);
-          s = domain.size() + int(it - w.band.begin());
-          if (it == w.band.end()) w.band.push_back(u);
+        if (is_inside(u, domain)) {
+          workspace.leaf.connect(k, m_slot[u]);
+          continue;
         }
-        if (s < Leaf_elimination::max_number_of_vertices) w.leaf.connect(i - domain.begin, s);
+        int& slot = workspace.boundary_slot[u];
+        if (slot == outside) {
+          slot = domain.size() + int(boundary.size());
+          boundary.push_back(u);
+        }
+        workspace.leaf.connect(k, slot);
       }
-    }
-    (void)boundary;
-    w.buffer.assign(m_order.begin() + domain.begin, m_order.begin() + domain.end);
-    int out = domain.begin;
-    for (int k : w.leaf.compute()) m_order[out++] = w.buffer[k];
+    for (int u : boundary) workspace.boundary_slot[u] = outside;
+
+    int end = domain.begin;
+    for (int k : workspace.leaf.compute()) m_order[end++] = interior[k];
   }
 
-  static constexpr int outside = -1;
-  static constexpr int eliminated_later = -1;
-
-  std::vector<int> m_original;
+  std::vector<int> m_original;  // the vertices are renumbered along a Morton curve
   std::vector<Eigen::Vector3d> m_points;
   std::vector<int> m_offsets, m_neighbors;
 
-  std::vector<int> m_order;   // a domain is a range of it
-  std::vector<int> m_domain;  // by vertex: where the range of its domain begins
-  std::vector<int> m_slab, m_slot;
+  std::vector<int> m_order;
+  std::vector<int> m_domain;  // by vertex: where the range of its domain begins, or `separated`
+  std::vector<int> m_slab;    // by vertex: place along the direction of the cut, then side
+  std::vector<int> m_slot;    // by vertex: place in the band or leaf at work, or `outside`
 };
 
+// The order in which to eliminate the vertices of a graph (in compressed rows: symmetric, no loops) so that its Cholesky
+// factor stays sparse: vertex order[k] is the k-th. The same on every run and for either tag.
 template <typename Concurrency_tag = Sequential_tag>
-std::vector<int> nested_dissection(const std::vector<Eigen::Vector3d>& points, const std::vector<int>& offsets, const std::vector<int>& neighbors)
+std::vector<int> nested_dissection(const std::vector<Eigen::Vector3d>& points, const std::vector<int>& offsets,
+                                   const std::vector<int>& neighbors)
 {
-  const int fork_depth = std::is_convertible<Concurrency_tag, Parallel_tag>::value ? 2 : 0;
-  return Nested_dissection(points, offsets, neighbors).compute(fork_depth);
+  constexpr bool is_parallel = !std::is_same<Concurrency_tag, Sequential_tag>::value;
+  constexpr int worth_a_thread = 10000;
+  const bool fork = is_parallel && points.size() > worth_a_thread;
+  return Nested_dissection(points, offsets, neighbors).compute(fork ? 3 : 0);
 }
 
 } // namespace internal

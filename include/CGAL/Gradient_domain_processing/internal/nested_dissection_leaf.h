@@ -27,7 +27,11 @@ public:
     m_rows.assign(number_of_interior_vertices, Row());
   }
 
-  void connect(int interior, int other) { m_rows[interior].set(other); }
+  // Boundary vertices are numbered after the interior ones. A leaf with more of them than fit is ordered without the rest.
+  void connect(int interior, int other)
+  {
+    if (other < max_number_of_vertices) m_rows[interior].set(other);
+  }
 
   // Elimination order of the interior vertices.
   const std::vector<int>& compute()

@@ -1,0 +1,25 @@
+/*!
+ * \ingroup PkgGradientDomainProcessingConcepts
+ * \cgalConcept
+ *
+ * A `GradientDomainVisitor` is told how far a computation is, and may stop it. It is passed by the named parameter `visitor`: as a
+ * value, which is copied, or as a `std::reference_wrapper` (`std::ref(my_visitor)`) if it has a state to read afterwards.
+ *
+ * All its functions are called from the thread that called the package, also where other threads work.
+ *
+ * \cgalHasModel `CGAL::Gradient_domain_processing::Default_visitor`
+ */
+class GradientDomainVisitor
+{
+public:
+  /// is called when a stage begins. Stages may occur more than once, but do not overlap or nest in a way that a clock per stage
+  /// could not follow: a stage that begins inside of another ends before it.
+  void stage_begins(CGAL::Gradient_domain_processing::Stage stage);
+
+  /// is called when a stage ends, also when it ends because of an error or because it was cancelled.
+  void stage_ends(CGAL::Gradient_domain_processing::Stage stage);
+
+  /// is called at the beginning of the stages and regularly within long ones. `done` is the part of the current stage that is done,
+  /// from 0 to 1. Where this returns `false`, the computation stops with `ERROR_CANCELLED`; mesh and outputs are as they were.
+  bool go_on(double done);
+};

@@ -1,0 +1,29 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef GRADIENT_DOMAIN_FILTER_FILTER_MESH_H
+#define GRADIENT_DOMAIN_FILTER_FILTER_MESH_H
+
+#include "Mesh_file.h"
+#include "Options.h"
+#include "Stage_clock.h"
+
+#include <CGAL/Gradient_domain_processing/Error_code.h>
+
+// What a linear solver tells of itself; negative where it does not.
+struct Solver_facts
+{
+  std::string name;
+  double matrix_non_zeros = -1, factor_non_zeros = -1, iterations = -1;
+};
+
+// Does what the options ask for to the mesh or its columns, with one linear solver each: every solver is one compilation of the
+// whole package. Throws Failure if a property is missing.
+CGAL::Gradient_domain_processing::Error_code filter_with_default(const Options&, Mesh_file&, Stage_clock&, Solver_facts&);
+CGAL::Gradient_domain_processing::Error_code filter_with_eigen(const Options&, Mesh_file&, Stage_clock&, Solver_facts&);
+CGAL::Gradient_domain_processing::Error_code filter_with_cg(const Options&, Mesh_file&, Stage_clock&, Solver_facts&);
+
+#endif // GRADIENT_DOMAIN_FILTER_FILTER_MESH_H

@@ -1,0 +1,70 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_NESTED_DISSECTION_MORTON_H
+#define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_NESTED_DISSECTION_MORTON_H
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Gradient_domain_processing {
+namespace internal {
+
+// Puts two zeros before each of the lowest ten bits.
+inline std::uint32_t spread_bits(std::uint32_t x)
+{
+  x = (x | x << 16) & 0x030000FF;
+  x = (x | x << 8) & 0x0300F00F;
+  x = (x | x << 4) & 0x030C30C3;
+  return (x | x << 2) & 0x09249249;
+}
+
+inline std::vector<std::uint32_t> morton_keys(const std::vector<Eigen::Vector3d>& points)
+{
+  constexpr int cells_per_axis = 1024;
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : points) box.extend(p);
+  const double extent = points.empty() ? 0. : box.sizes().maxCoeff();
+  const double scale = extent > 0 ? (cells_per_axis - 1) / extent : 0.;
+
+  std::vector<std::uint32_t> keys;
+  keys.reserve(points.size());
+  for (const Eigen::Vector3d& p : points) {
+    const Eigen::Matrix<std::uint32_t, 3, 1> cell = ((p - box.min()) * scale).cast<std::uint32_t>();
+    keys.push_back(spread_bits(cell.x()) | spread_bits(cell.y()) << 1 | spread_bits(cell.z()) << 2);
+  }
+  return keys;
+}
+
+// The points along a Morton curve: neighbours in space become neighbours in memory. Radix sort, ten bits at a time.
+inline std::vector<int> morton_order(const std::vector<Eigen::Vector3d>& points)
+{
+  constexpr std::uint32_t radix = 1024;
+  const std::vector<std::uint32_t> keys = morton_keys(points);
+  std::vector<int> order(points.size()), sorted(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  for (int shift = 0; shift < 30; shift += 10) {
+    const auto digit = [&](int i) { return (keys[i] >> shift) % radix; };
+    std::vector<int> position(radix + 1, 0);
+    for (int i : order) ++position[digit(i) + 1];
+    std::partial_sum(position.begin(), position.end(), position.begin());
+    for (int i : order) sorted[position[digit(i)]++] = i;
+    order.swap(sorted);
+  }
+  return order;
+}
+
+} // namespace internal
+} // namespace Gradient_domain_processing
+} // namespace CGAL
+
+#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_NESTED_DISSECTION_MORTON_H

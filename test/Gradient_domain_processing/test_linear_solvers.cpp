@@ -1,0 +1,145 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Linear solvers of all kinds give the same answers, and their failures are told.
+
+#include "minimal_solver.h"
+#include "test_meshes.h"
+#include "test_utils.h"
+
+#include <CGAL/Gradient_domain_processing/process_signal.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseLU>
+
+#include <string>
+#include <vector>
+
+using namespace gdp_test;
+namespace GDP = CGAL::Gradient_domain_processing;
+
+typedef CGAL::Simple_cartesian<double> K;
+typedef CGAL::Surface_mesh<K::Point_3> Mesh;
+typedef Mesh::Vertex_index Vertex;
+typedef Eigen::SparseMatrix<double> Sparse;
+
+namespace {
+
+struct Fixture
+{
+  Mesh tm = built<Mesh>(bumpy_patch(9, 9));
+  Mesh::Property_map<Vertex, bool> constrained;
+  Mesh::Property_map<Vertex, K::Vector_3> in, out;
+
+  Fixture()
+  {
+    tm.add_vertex(K::Point_3(3, 3, 3)); // without a face
+    constrained = tm.add_property_map<Vertex, bool>("v:constrained", false).first;
+    in = tm.add_property_map<Vertex, K::Vector_3>("v:in").first;
+    out = tm.add_property_map<Vertex, K::Vector_3>("v:out", K::Vector_3(-7, -7, -7)).first;
+    for(Vertex v : vertices(tm))
+    {
+      constrained[v] = int(v) % 11 == 0;
+      in[v] = tm.point(v) - CGAL::ORIGIN;
+    }
+  }
+
+  template <class NamedParameters>
+  GDP::Error_code run(const NamedParameters& np) { return GDP::process_signal(tm, in, out, np); }
+
+  std::vector<Coordinates> result() const
+  {
+    std::vector<Coordinates> values;
+    for(Vertex v : vertices(tm))
+      values.push_back({{out[v].x(), out[v].y(), out[v].z()}});
+    return values;
+  }
+
+  bool is_untouched() const
+  {
+    for(Vertex v : vertices(tm))
+      if(out[v] != K::Vector_3(-7, -7, -7))
+        return false;
+    return true;
+  }
+};
+
+std::vector<Coordinates> default_result()
+{
+  Fixture x;
+  GDP_CHECK(x.run(GDP::parameters::gradient_weight(1e-3).vertex_is_constrained_map(x.constrained)) == GDP::OK);
+  return x.result();
+}
+
+template <class Solver>
+void check_agreement(const std::string& name, const Solver& solver, double tolerance)
+{
+  Fixture x;
+  const GDP::Error_code code = x.run(
+    GDP::parameters::sparse_linear_solver(solver).gradient_weight(1e-3).vertex_is_constrained_map(x.constrained));
+  const double difference = distance(x.result(), default_result());
+  if(!GDP_CHECK(code == GDP::OK) || !GDP_CHECK(difference <= tolerance))
+    std::cerr << "  " << name << ": " << GDP::get_error_message(code) << ", difference " << difference << std::endl;
+}
+
+// Nothing is written when a solver fails; the code says how.
+template <class Solver>
+void check_failure(const Solver& solver, GDP::Error_code expected)
+{
+  Fixture x;
+  GDP_CHECK(x.run(GDP::parameters::sparse_linear_solver(solver)) == expected);
+  GDP_CHECK(x.is_untouched());
+}
+
+struct Failing_factor : Minimal_solver
+{
+  bool factor(const Matrix&, double&) { return false; }
+};
+
+struct Failing_solution : Minimal_solver
+{
+  bool linear_solver(const Vector&, Vector&) { return false; }
+};
+
+// What is not a number is no answer.
+struct Not_a_number : Minimal_solver
+{
+  bool linear_solver(const Vector& b, Vector& x)
+  {
+    for(int i = 0; i < b.dimension(); ++i)
+      x[i] = NAN;
+    return true;
+  }
+};
+
+} // namespace
+
+int main()
+{
+  // the direct solvers differ by rounding, the iterative one by its tolerance
+  check_agreement("SimplicialLLT", CGAL::Eigen_solver_traits<Eigen::SimplicialLLT<Sparse> >(), 1e-13);
+  check_agreement("SimplicialLDLT", CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Sparse> >(), 1e-13);
+  check_agreement("SimplicialLLT, upper", CGAL::Eigen_solver_traits<Eigen::SimplicialLLT<Sparse, Eigen::Upper> >(), 1e-13);
+  check_agreement("SparseLU", CGAL::Eigen_solver_traits<Eigen::SparseLU<Sparse> >(), 1e-13);
+#ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD
+  check_agreement("CholmodSupernodalLLT", CGAL::Eigen_solver_traits<Eigen::CholmodSupernodalLLT<Sparse> >(), 1e-13);
+#endif
+  check_agreement("ConjugateGradient", CGAL::Eigen_solver_traits<Eigen::ConjugateGradient<Sparse> >(), 1e-12);
+  check_agreement("ConjugateGradient, both triangles",
+                  CGAL::Eigen_solver_traits<Eigen::ConjugateGradient<Sparse, Eigen::Lower | Eigen::Upper> >(), 1e-12);
+  check_agreement("minimal model", Minimal_solver(), 1e-13);
+
+  CGAL::Eigen_solver_traits<Eigen::ConjugateGradient<Sparse> > hurried;
+  hurried.solver().setMaxIterations(2);
+  check_failure(hurried, GDP::ERROR_NOT_CONVERGED);
+  check_failure(Failing_factor(), GDP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM);
+  check_failure(Failing_solution(), GDP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM);
+  check_failure(Not_a_number(), GDP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM);
+  return GDP_TEST_RESULT();
+}

@@ -1,0 +1,157 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The enclosed volume restored after smoothing, component by component.
+
+#include "test_shapes.h"
+#include "test_utils.h"
+
+#include <CGAL/Gradient_domain_processing/smooth.h>
+
+#include <vector>
+
+namespace GDP = CGAL::Gradient_domain_processing;
+using namespace gdp_test;
+
+GDP::Error_code run(Mesh& mesh, bool restore, double weight, double scale = 0, int constrained = -1, int iterations = 1,
+                    GDP::Border_condition condition = GDP::Border_condition::FREE)
+{
+  auto map = mesh.add_property_map<Vertex, bool>("v:constrained", false).first;
+  if(constrained >= 0)
+    map[Vertex(constrained)] = true;
+  const GDP::Error_code code = GDP::smooth(mesh, GDP::parameters::restore_volume(restore).gradient_weight(weight).gradient_scale(scale)
+                                                   .number_of_iterations(iterations).vertex_is_constrained_map(map)
+                                                   .border_condition(condition));
+  mesh.remove_property_map(map);
+  return code;
+}
+
+// Volumes and surface centroids of the components, whose vertices end at `ends`.
+struct Component
+{
+  double volume = 0, area = 0;
+  Vec centroid = Vec(0, 0, 0);
+};
+
+std::vector<Component> components(const Mesh& mesh, const std::vector<std::size_t>& ends)
+{
+  std::vector<Component> result(ends.size());
+  std::vector<Vec> origin(ends.size());
+  for(std::size_t i = 0; i < ends.size(); ++i)
+    origin[i] = vec(mesh.point(Vertex(i == 0 ? 0 : int(ends[i - 1]))));
+  for(Face f : mesh.faces())
+  {
+    const auto c = corners(mesh, f);
+    const std::size_t i = std::upper_bound(ends.begin(), ends.end(), std::size_t(c[0])) - ends.begin();
+    const Vec p = vec(mesh.point(c[0])) - origin[i], q = vec(mesh.point(c[1])) - origin[i], r = vec(mesh.point(c[2])) - origin[i];
+    const double area = area_vector(mesh, f).norm();
+    result[i].volume += p.dot(q.cross(r)) / 6;
+    result[i].area += area;
+    result[i].centroid += area * (p + q + r) / 3;
+  }
+  for(std::size_t i = 0; i < ends.size(); ++i)
+    result[i].centroid = origin[i] + result[i].centroid / result[i].area;
+  return result;
+}
+
+void test_closed_meshes()
+{
+  Shape inverted = sphere(4).scaled(0.5).moved(Vec(0, 4, 0)); // inside out: its volume is negative, and kept
+  for(auto& t : inverted.triangles)
+    std::swap(t[1], t[2]);
+  const Shape torus = grid(24, 12, [](double u, double v) {
+    const double r = 1 + 0.4 * std::cos(2 * pi * v);
+    return Vec(r * std::cos(2 * pi * u), r * std::sin(2 * pi * u), 5 + 0.4 * std::sin(2 * pi * v));
+  }, true, true);
+  const std::vector<Shape> shapes = {sphere(8).noisy(0.03), ellipsoid(6, Vec(1, 0.5, 0.3)).moved(Vec(4, 0, 0)), inverted, torus,
+                                     cubes({{{0, 0, 0}}, {{1, 0, 0}}}, 4).moved(Vec(-5, 0, 0))};
+  Shape all;
+  std::vector<std::size_t> ends;
+  for(const Shape& shape : shapes)
+  {
+    all = all + shape;
+    ends.push_back(all.points.size());
+  }
+  for(double size : {1e-3, 1., 1e6})
+    for(double offset : {0., 100.})
+      for(int iterations : {1, 4})
+        for(double scale : {0., 2.})
+        {
+          const double weight = scale == 0 ? 1e-3 : 1e-4;
+          const Mesh before = mesh_of(all.scaled(size).moved(Vec(offset * size, 0, -offset * size)));
+          Mesh restored = before, plain = before;
+          GDP_CHECK(run(restored, true, weight, scale, -1, iterations) == GDP::OK);
+          GDP_CHECK(run(plain, false, weight, scale, -1, iterations) == GDP::OK);
+          const auto a = components(before, ends), b = components(restored, ends), c = components(plain, ends);
+          for(std::size_t i = 0; i < a.size(); ++i)
+          {
+            // rounding of the coordinates where the mesh is far from the origin
+            const double tolerance = offset == 0 ? 1e-12 : 1e-11;
+            GDP_CHECK_NEAR(b[i].volume / a[i].volume, 1, tolerance);
+            GDP_CHECK(std::abs(c[i].volume / a[i].volume - 1) > 1e-4);
+            GDP_CHECK_NEAR((b[i].centroid - c[i].centroid).norm() / size, 0, 1e-11); // about the centroid
+            const double factor = std::cbrt(a[i].volume / c[i].volume); // nothing but a scaling
+            GDP_CHECK_NEAR(b[i].area / c[i].area, factor * factor, 1e-10);
+          }
+        }
+}
+
+void test_meshes_without_volume()
+{
+  const Shape ball = sphere(4), patch = square(4).moved(Vec(4, 0, 0));
+  Shape opened = ball;
+  opened.triangles.pop_back();
+  for(const Shape& shape : {opened, patch, ball + patch})
+  {
+    const Mesh before = mesh_of(shape);
+    for(GDP::Border_condition condition : {GDP::Border_condition::FREE, GDP::Border_condition::FIXED, GDP::Border_condition::ALONG_BORDER})
+    {
+      Mesh mesh = before;
+      GDP_CHECK(run(mesh, true, 1e-3, 0, -1, 1, condition) == GDP::ERROR_NO_VOLUME);
+      GDP_CHECK(same_points(mesh, before));
+      GDP_CHECK(run(mesh, false, 1e-3, 0, -1, 1, condition) == GDP::OK);
+    }
+  }
+  const Mesh before = mesh_of(ball);
+  Mesh mesh = before;
+  GDP_CHECK(run(mesh, true, 1e-3, 0, 3) == GDP::ERROR_NO_VOLUME);
+  GDP_CHECK(same_points(mesh, before));
+  GDP_CHECK(run(mesh, true, 1e-3) == GDP::OK);
+
+  // a closed mesh is no less closed with a vertex that has no face
+  Mesh with_vertex = before;
+  with_vertex.add_vertex(Point(9, 9, 9));
+  GDP_CHECK(run(with_vertex, true, 1e-3) == GDP::OK);
+  for(Vertex v : before.vertices())
+    GDP_CHECK_NEAR((vec(with_vertex.point(v)) - vec(mesh.point(v))).norm(), 0, 1e-12);
+  GDP_CHECK(with_vertex.point(Vertex(int(before.number_of_vertices()))) == Point(9, 9, 9));
+
+  // flat on both sides: closed, without volume, nothing to scale
+  Shape pillow = square(6), back = square(6);
+  for(auto& t : back.triangles)
+    std::swap(t[1], t[2]);
+  const auto is_rim = [](const Vec& p) { return p.x() == 0 || p.x() == 1 || p.y() == 0 || p.y() == 1; };
+  std::vector<int> number(back.points.size());
+  for(std::size_t i = 0; i < back.points.size(); ++i)
+  {
+    number[i] = is_rim(back.points[i]) ? int(i) : int(pillow.points.size());
+    if(!is_rim(back.points[i]))
+      pillow.points.push_back(back.points[i]);
+  }
+  for(const auto& t : back.triangles)
+    pillow.triangles.push_back({{number[t[0]], number[t[1]], number[t[2]]}});
+  Mesh flat = mesh_of(pillow);
+  const GDP::Error_code code = run(flat, true, 1e-3);
+  GDP_CHECK(code == GDP::OK || code == GDP::ERROR_NO_VOLUME);
+  GDP_CHECK(is_finite(flat));
+}
+
+int main()
+{
+  test_closed_meshes();
+  test_meshes_without_volume();
+  return GDP_TEST_RESULT();
+}
