@@ -17,6 +17,7 @@
 #include <CGAL/Gradient_domain_processing/fit_to_normals.h>
 #include <CGAL/Gradient_domain_processing/metrics.h>
 #include <CGAL/Gradient_domain_processing/operators.h>
+#include <CGAL/Gradient_domain_processing/process_face_signal.h>
 #include <CGAL/Gradient_domain_processing/process_signal.h>
 #include <CGAL/Gradient_domain_processing/sharpen.h>
 #include <CGAL/Gradient_domain_processing/smooth.h>

@@ -15,6 +15,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -33,10 +34,7 @@ namespace {
 void check_second_order(const std::vector<double>& errors, double smallest)
 {
   for(std::size_t i = 0; i + 1 < errors.size(); ++i)
-  {
-    const double order = std::log2(errors[i] / errors[i + 1]);
-    GDP_CHECK_NEAR(order, 2, 0.2);
-  }
+    GDP_CHECK_NEAR(std::log2(errors[i] / errors[i + 1]), 2, 0.1);
   GDP_CHECK(errors.back() < smallest);
 }
 
@@ -49,12 +47,18 @@ void check_sphere()
   {
     Mesh tm = built<Mesh>(icosphere(level, r));
     GDP_CHECK(GDP::smooth(tm, GDP::parameters::gradient_weight(3 * t).value_weight(3).area_normalization(false)) == GDP::OK);
-    double worst = 0;
+    // in the mean of squares: at the twelve irregular vertices convergence is slower by a logarithm
+    double squares = 0, worst = 0;
     for(Vertex v : vertices(tm))
-      worst = (std::max)(worst, std::abs(std::sqrt((tm.point(v) - CGAL::ORIGIN).squared_length()) - exact) / exact);
-    errors.push_back(worst);
+    {
+      const double error = std::sqrt((tm.point(v) - CGAL::ORIGIN).squared_length()) / exact - 1;
+      squares += error * error;
+      worst = (std::max)(worst, std::abs(error));
+    }
+    errors.push_back(std::sqrt(squares / num_vertices(tm)));
+    GDP_CHECK(worst < 2 * std::pow(0.25, level) * (1 + level));
   }
-  check_second_order(errors, 1e-3);
+  check_second_order(errors, 1e-4);
 }
 
 // Eigenfunctions of the sphere: the spherical harmonics of degree l, mu = l (l + 1) / r^2.

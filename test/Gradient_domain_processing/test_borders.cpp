@@ -139,18 +139,11 @@ void test_border_curves()
     check_interior(before, mesh, 0.1, scale);
     for(Vertex v : corner)
       GDP_CHECK(same_bits(mesh.point(v), before.point(v)));
-    int moved = 0;
     for(Vertex v : mesh.vertices())
-      if(before.is_border(v))
-      {
-        const Vec p = vec(before.point(v)), q = vec(mesh.point(v));
-        moved += p != q;
-        GDP_CHECK(q.z() == 0);
-        for(int i : {0, 1})
-          if(p[i] == 0 || p[i] == 1)
-            GDP_CHECK_NEAR(q[i], p[i], 1e-15);
-      }
-    GDP_CHECK_NEAR(moved, 36, 0);
+      if(before.is_border(v)) // a straight line is harmonic, however its vertices are spaced
+        GDP_CHECK_NEAR((vec(mesh.point(v)) - vec(before.point(v))).norm(), 0, 1e-15);
+      else
+        GDP_CHECK(!same_bits(mesh.point(v), before.point(v)));
   }
 
   // corners free: they are rounded, within the plane

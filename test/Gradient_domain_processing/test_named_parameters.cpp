@@ -46,26 +46,26 @@ void check_lookup()
     GDP_CHECK(value_of(np, gradient_weight) == 0.25);
     GDP_CHECK(value_of(np, value_weight) == 3.);
     GDP_CHECK(value_of(np, number_of_iterations) == 7);
-    GDP_CHECK(value_of(np, verbosity_level) == 2);
+    GDP_CHECK(value_of(np, number_of_relaxation_steps) == 2);
     GDP_CHECK(value_of(np, area_normalization) == false);
   };
-  check(GDP::parameters::gradient_weight(0.25).number_of_iterations(7).value_weight(3.).verbose(2).area_normalization(false));
-  check(GDP::parameters::number_of_iterations(7).verbose(2).gradient_weight(0.25).area_normalization(false).value_weight(3.));
-  check(GDP::parameters::with(CGAL::parameters::number_of_iterations(7).verbose(2))
+  check(GDP::parameters::gradient_weight(0.25).number_of_iterations(7).value_weight(3.).number_of_relaxation_steps(2).area_normalization(false));
+  check(GDP::parameters::number_of_iterations(7).number_of_relaxation_steps(2).gradient_weight(0.25).area_normalization(false).value_weight(3.));
+  check(GDP::parameters::with(CGAL::parameters::number_of_iterations(7).number_of_relaxation_steps(2))
           .area_normalization(false).gradient_weight(0.25).value_weight(3.));
-  check(GDP::parameters::with(CGAL::parameters::verbose(2)).gradient_weight(0.25).number_of_iterations(7).value_weight(3.)
+  check(GDP::parameters::with(CGAL::parameters::number_of_relaxation_steps(2)).gradient_weight(0.25).number_of_iterations(7).value_weight(3.)
           .area_normalization(false));
-  check(GDP::parameters::with(GDP::parameters::with(CGAL::parameters::verbose(2)).gradient_weight(0.25))
+  check(GDP::parameters::with(GDP::parameters::with(CGAL::parameters::number_of_relaxation_steps(2)).gradient_weight(0.25))
           .number_of_iterations(7).value_weight(3.).area_normalization(false));
-  check(GDP::parameters::with(GDP::parameters::default_values()).gradient_weight(0.25).number_of_iterations(7).verbose(2)
+  check(GDP::parameters::with(GDP::parameters::default_values()).gradient_weight(0.25).number_of_iterations(7).number_of_relaxation_steps(2)
           .value_weight(3.).area_normalization(false));
   // the last one of a name counts
   check(GDP::parameters::gradient_weight(1e9).number_of_iterations(1).gradient_weight(0.25).number_of_iterations(7)
-          .value_weight(3.).verbose(2).area_normalization(true).area_normalization(false));
+          .value_weight(3.).number_of_relaxation_steps(2).area_normalization(true).area_normalization(false));
 
-  static_assert(GDP::internal::Has_parameter<gradient_weight_t, decltype(GDP::parameters::gradient_weight(1.).verbose(true))>::value, "");
-  static_assert(!GDP::internal::Has_parameter<gradient_scale_t, decltype(GDP::parameters::gradient_weight(1.).verbose(true))>::value, "");
-  static_assert(!GDP::internal::Has_parameter<gradient_weight_t, decltype(CGAL::parameters::verbose(true))>::value, "");
+  static_assert(GDP::internal::Has_parameter<gradient_weight_t, decltype(GDP::parameters::gradient_weight(1.).number_of_relaxation_steps(2))>::value, "");
+  static_assert(!GDP::internal::Has_parameter<gradient_scale_t, decltype(GDP::parameters::gradient_weight(1.).number_of_relaxation_steps(2))>::value, "");
+  static_assert(!GDP::internal::Has_parameter<gradient_weight_t, decltype(CGAL::parameters::number_of_relaxation_steps(2))>::value, "");
   static_assert(!GDP::internal::Has_parameter<gradient_weight_t, decltype(GDP::parameters::default_values())>::value, "");
 }
 

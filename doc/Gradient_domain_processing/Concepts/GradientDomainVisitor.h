@@ -5,21 +5,22 @@
  * A `GradientDomainVisitor` is told how far a computation is, and may stop it. It is passed by the named parameter `visitor`: as a
  * value, which is copied, or as a `std::reference_wrapper` (`std::ref(my_visitor)`) if it has a state to read afterwards.
  *
- * All its functions are called from the thread that called the package, also where other threads work.
+ * Stages may occur more than once, and may nest: curvature is estimated while the metric is prepared, for example. A stage that begins inside
+ * of another one ends before it. With several threads `go_on()` may be called from any of them, but never by two at once; the other
+ * functions are called from the thread that called the package.
  *
  * \cgalHasModel `CGAL::Gradient_domain_processing::Default_visitor`
  */
 class GradientDomainVisitor
 {
 public:
-  /// is called when a stage begins. Stages may occur more than once, but do not overlap or nest in a way that a clock per stage
-  /// could not follow: a stage that begins inside of another ends before it.
+  /// is called when a stage begins.
   void stage_begins(CGAL::Gradient_domain_processing::Stage stage);
 
   /// is called when a stage ends, also when it ends because of an error or because it was cancelled.
   void stage_ends(CGAL::Gradient_domain_processing::Stage stage);
 
-  /// is called at the beginning of the stages and regularly within long ones. `done` is the part of the current stage that is done,
+  /// is called before the stages that take long, and regularly within the estimation of curvature. `done` is the part of the current stage that is done,
   /// from 0 to 1. Where this returns `false`, the computation stops with `ERROR_CANCELLED`; mesh and outputs are as they were.
   bool go_on(double done);
 };

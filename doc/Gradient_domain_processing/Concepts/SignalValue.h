@@ -18,11 +18,12 @@
  * `make()` decides what becomes of results that the type cannot hold. Signals of unit vectors, for example, are not normalized unless
  * their `make()` does so.
  *
- * \cgalHasModel number types: `double`, `float`, integers (rounded and clamped), number types of \cgal kernels
- * \cgalHasModel `CGAL::Point_2`, `CGAL::Point_3`, `CGAL::Vector_2`, `CGAL::Vector_3`
- * \cgalHasModel `CGAL::IO::Color` (four channels from 0 to 255; rounded and clamped)
- * \cgalHasModel `std::array` of models
- * \cgalHasModel `Eigen::Matrix` of fixed size
+ * \cgalHasModel
+ * - number types: `double`, `float`, integers (rounded and clamped), number types of \cgal kernels
+ * - `CGAL::Point_2`, `CGAL::Point_3`, `CGAL::Vector_2`, `CGAL::Vector_3`
+ * - `CGAL::IO::Color` (four channels from 0 to 255; rounded and clamped)
+ * - `std::array` of models
+ * - `Eigen::Matrix` of fixed size, of numbers
  */
 class SignalValue
 {

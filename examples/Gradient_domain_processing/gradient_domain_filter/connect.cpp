@@ -14,21 +14,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-// Connects polygons that form an oriented manifold. Much faster than adding one face after the other, as the halfedges at a
-// vertex are found once for all of them.
+// Connects polygons that form an oriented manifold. Faster than adding one face after the other, as the halfedges are found
+// for all vertices at once.
 class Connector
 {
+  typedef std::uint32_t Corner; // index into the soup's corners
+  typedef Mesh::Vertex_index Vertex_index;
+  typedef Mesh::Halfedge_index Halfedge_index;
+  typedef Mesh::Face_index Face_index;
+
+  // The edge that leaves a corner, in the bucket of its smaller end.
+  struct Side
+  {
+    int larger_end;
+    Corner corner;
+  };
+
   const Polygon_soup& m_soup;
   Mesh& m_mesh;
-  std::vector<std::size_t> m_halfedge; // by corner: the one that leaves it
-
-  static constexpr std::size_t none = std::size_t(-1);
+  std::vector<Halfedge_index> m_halfedge; // by corner: the one that leaves it
 
 public:
   Connector(const Polygon_soup& soup, Mesh& mesh) : m_soup(soup), m_mesh(mesh) {}
@@ -36,32 +47,27 @@ public:
   // Empty if all went well, else what is wrong.
   std::string connect()
   {
-    const std::vector<std::size_t> next = next_corners();
     std::string problem = check_polygons();
     if(problem.empty())
-      problem = number_halfedges(next);
+      problem = make_edges();
     if(problem.empty())
-      problem = link(next);
+      problem = link();
     return problem;
   }
 
 private:
-  typedef Mesh::Vertex_index Vertex_index;
-  typedef Mesh::Halfedge_index Halfedge_index;
-  typedef Mesh::Face_index Face_index;
-
   static std::string name(const char* what, std::size_t i) { return what + (" " + std::to_string(i)); }
 
-  std::vector<std::size_t> next_corners() const
+  // Calls visit(face, corner, next corner) for all corners.
+  template <class Visit>
+  void for_each_corner(const Visit& visit) const
   {
-    std::vector<std::size_t> next(m_soup.corners.size());
     for(std::size_t f = 0; f < m_soup.number_of_polygons(); ++f)
     {
-      const std::size_t begin = m_soup.first_corner[f], end = m_soup.first_corner[f + 1];
-      for(std::size_t c = begin; c < end; ++c)
-        next[c] = c + 1 < end ? c + 1 : begin;
+      const Corner begin = Corner(m_soup.first_corner[f]), end = Corner(m_soup.first_corner[f + 1]);
+      for(Corner c = begin; c < end; ++c)
+        visit(f, c, c + 1 < end ? c + 1 : begin);
     }
-    return next;
   }
 
   std::string check_polygons() const
@@ -69,130 +75,124 @@ private:
     std::vector<int> sorted;
     for(std::size_t f = 0; f < m_soup.number_of_polygons(); ++f)
     {
-      sorted.assign(m_soup.corners.begin() + std::ptrdiff_t(m_soup.first_corner[f]),
-                    m_soup.corners.begin() + std::ptrdiff_t(m_soup.first_corner[f + 1]));
-      if(sorted.size() < 3)
+      const int* const begin = m_soup.corners.data() + m_soup.first_corner[f];
+      const int* const end = m_soup.corners.data() + m_soup.first_corner[f + 1];
+      if(end - begin < 3)
         return name("face", f) + " has less than three vertices";
-      std::sort(sorted.begin(), sorted.end());
-      if(std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
+      bool is_repeated = begin[0] == begin[1] || begin[1] == begin[2] || begin[2] == begin[0];
+      if(end - begin > 3)
+      {
+        sorted.assign(begin, end);
+        std::sort(sorted.begin(), sorted.end());
+        is_repeated = std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+      }
+      if(is_repeated)
         return name("face", f) + " has a vertex twice";
     }
     return std::string();
   }
 
-  // The corners in buckets by the smaller end of their edge, in which partners are looked for.
-  std::string number_halfedges(const std::vector<std::size_t>& next)
+  // The two sides of an edge meet in the bucket of its smaller end.
+  std::string make_edges()
   {
     const std::vector<int>& v = m_soup.corners;
-    std::vector<std::size_t> offsets(m_soup.points.size() + 1, 0), sorted(v.size());
-    const auto smaller = [&](std::size_t c) { return (std::min)(v[c], v[next[c]]); };
-    const auto larger = [&](std::size_t c) { return (std::max)(v[c], v[next[c]]); };
-    for(std::size_t c = 0; c < v.size(); ++c)
-      ++offsets[std::size_t(smaller(c)) + 1];
-    for(std::size_t i = 1; i < offsets.size(); ++i)
-      offsets[i] += offsets[i - 1];
+    const std::size_t n = m_soup.points.size();
+    std::vector<Corner> offsets(n + 1, 0);
+    for_each_corner([&](std::size_t, Corner c, Corner next) { ++offsets[std::size_t((std::min)(v[c], v[next])) + 1]; });
+    for(std::size_t i = 0; i < n; ++i)
+      offsets[i + 1] += offsets[i];
+    std::vector<Side> sides(v.size());
     {
-      std::vector<std::size_t> at(offsets.begin(), offsets.end() - 1);
-      for(std::size_t c = 0; c < v.size(); ++c)
-        sorted[at[smaller(c)]++] = c;
+      std::vector<Corner> at(offsets.begin(), offsets.end() - 1);
+      for_each_corner([&](std::size_t, Corner c, Corner next) {
+        sides[at[std::size_t((std::min)(v[c], v[next]))]++] = {(std::max)(v[c], v[next]), c};
+      });
     }
 
-    m_halfedge.assign(v.size(), none);
-    std::vector<std::size_t> first_of_edge;
-    for(std::size_t i = 0; i + 1 < offsets.size(); ++i)
+    std::size_t edges = 0;
+    for(std::size_t i = 0; i < n; ++i)
     {
-      const auto begin = sorted.begin() + std::ptrdiff_t(offsets[i]), end = sorted.begin() + std::ptrdiff_t(offsets[i + 1]);
-      if(end - begin > 32) // few vertices have many edges, but one may have them all
-        std::stable_sort(begin, end, [&](std::size_t a, std::size_t b) { return larger(a) < larger(b); });
-      for(auto c = begin; c != end; ++c)
-      {
-        if(m_halfedge[*c] != none)
-          continue;
-        const std::size_t edge = first_of_edge.size();
-        first_of_edge.push_back(*c);
-        m_halfedge[*c] = 2 * edge;
-        bool has_partner = false;
-        for(auto other = c + 1; other != end; ++other)
+      const auto begin = sides.begin() + std::ptrdiff_t(offsets[i]), end = sides.begin() + std::ptrdiff_t(offsets[i + 1]);
+      std::sort(begin, end, [](const Side& a, const Side& b) {
+        return a.larger_end != b.larger_end ? a.larger_end < b.larger_end : a.corner < b.corner;
+      });
+      for(auto side = begin; side != end; ++side, ++edges)
+        if(side + 1 != end && side[1].larger_end == side->larger_end)
         {
-          if(larger(*other) != larger(*c))
-          {
-            if(end - begin > 32)
-              break;
-            continue;
-          }
-          const std::string which = "the edge " + std::to_string(v[*c]) + "-" + std::to_string(v[next[*c]]);
-          if(has_partner)
+          const std::string which = "the edge " + std::to_string(i) + "-" + std::to_string(side->larger_end);
+          if(side + 2 != end && side[2].larger_end == side->larger_end)
             return which + " has more than two faces";
-          if(v[*other] == v[*c])
+          ++side;
+          if(v[side[-1].corner] == v[side->corner])
             return which + " is used twice in the same direction";
-          m_halfedge[*other] = 2 * edge + 1;
-          has_partner = true;
         }
-      }
     }
-    if(first_of_edge.size() > std::size_t((std::numeric_limits<int>::max)()) / 2)
+    if(edges > std::size_t((std::numeric_limits<int>::max)()) / 2)
       return "too many edges";
 
-    m_mesh.resize(Mesh::size_type(m_soup.points.size()), Mesh::size_type(first_of_edge.size()),
-                  Mesh::size_type(m_soup.number_of_polygons()));
-    for(std::size_t i = 0; i < m_soup.points.size(); ++i)
+    m_mesh.resize(Mesh::size_type(n), Mesh::size_type(edges), Mesh::size_type(m_soup.number_of_polygons()));
+    for(std::size_t i = 0; i < n; ++i)
       m_mesh.point(Vertex_index(Mesh::size_type(i))) = m_soup.points[i];
-    for(std::size_t e = 0; e < first_of_edge.size(); ++e)
-    {
-      const std::size_t c = first_of_edge[e];
-      m_mesh.set_target(halfedge(2 * e), Vertex_index(v[next[c]]));
-      m_mesh.set_target(halfedge(2 * e + 1), Vertex_index(v[c]));
-    }
+    m_halfedge.resize(v.size());
+    Mesh::size_type h = 0;
+    for(std::size_t i = 0; i < n; ++i)
+      for(Corner k = offsets[i]; k < offsets[i + 1]; ++k, h += 2)
+      {
+        const Side side = sides[k];
+        const int from = v[side.corner], to = from == int(i) ? side.larger_end : int(i);
+        m_mesh.set_target(Halfedge_index(h), Vertex_index(Mesh::size_type(to)));
+        m_mesh.set_target(Halfedge_index(h + 1), Vertex_index(Mesh::size_type(from)));
+        m_halfedge[side.corner] = Halfedge_index(h);
+        if(k + 1 < offsets[i + 1] && sides[k + 1].larger_end == side.larger_end)
+          m_halfedge[sides[++k].corner] = Halfedge_index(h + 1);
+      }
     return std::string();
   }
 
-  std::string link(const std::vector<std::size_t>& next)
+  std::string link()
   {
-    for(std::size_t f = 0; f < m_soup.number_of_polygons(); ++f)
-    {
-      const Face_index face = Face_index(Mesh::size_type(f));
-      for(std::size_t c = m_soup.first_corner[f]; c < m_soup.first_corner[f + 1]; ++c)
+    for_each_corner([&](std::size_t f, Corner c, Corner next) {
+      const Halfedge_index h = m_halfedge[c];
+      m_mesh.set_face(h, Face_index(Mesh::size_type(f)));
+      m_mesh.set_next(h, m_halfedge[next]);
+      m_mesh.set_halfedge(Vertex_index(Mesh::size_type(m_soup.corners[next])), h);
+      m_mesh.set_halfedge(Face_index(Mesh::size_type(f)), h); // the last of the face, as CGAL does
+    });
+
+    const std::size_t n = m_soup.points.size();
+    std::vector<Halfedge_index> border, leaving(n, Mesh::null_halfedge());
+    for(Halfedge_index h : m_mesh.halfedges())
+      if(m_mesh.face(h) == Mesh::null_face())
       {
-        const Halfedge_index h = halfedge(m_halfedge[c]);
-        m_mesh.set_face(h, face);
-        m_mesh.set_next(h, halfedge(m_halfedge[next[c]]));
-        m_mesh.set_halfedge(m_mesh.target(h), h);
+        const Vertex_index source = m_mesh.source(h);
+        if(leaving[std::size_t(source)] != Mesh::null_halfedge())
+          return several_umbrellas(source);
+        leaving[std::size_t(source)] = h;
+        border.push_back(h);
       }
-      m_mesh.set_halfedge(face, halfedge(m_halfedge[m_soup.first_corner[f + 1] - 1]));
+    for(Halfedge_index h : border)
+    {
+      m_mesh.set_next(h, leaving[std::size_t(m_mesh.target(h))]);
+      m_mesh.set_halfedge(m_mesh.target(h), h); // a border vertex knows its border
     }
 
-    std::vector<Halfedge_index> leaving_border(m_soup.points.size(), Mesh::null_halfedge());
-    for(Halfedge_index h : m_mesh.halfedges())
-      if(m_mesh.face(h) == Mesh::null_face())
-      {
-        Halfedge_index& leaving = leaving_border[std::size_t(m_mesh.source(h))];
-        if(leaving != Mesh::null_halfedge())
-          return several_umbrellas(m_mesh.source(h));
-        leaving = h;
-      }
-    for(Halfedge_index h : m_mesh.halfedges())
-      if(m_mesh.face(h) == Mesh::null_face())
-      {
-        m_mesh.set_next(h, leaving_border[std::size_t(m_mesh.target(h))]);
-        m_mesh.set_halfedge(m_mesh.target(h), h); // a border vertex knows its border
-      }
-
-    std::vector<int> degree(m_soup.points.size(), 0);
+    std::vector<int> degree(n, 0);
     for(int v : m_soup.corners)
-      ++degree[v];
+      ++degree[std::size_t(v)];
     for(Vertex_index v : m_mesh.vertices())
     {
-      int found = 0;
-      if(m_mesh.halfedge(v) != Mesh::null_halfedge())
-        for(Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
-          found += m_mesh.face(h) != Mesh::null_face();
-      if(found != degree[std::size_t(v)])
+      const Halfedge_index first = m_mesh.halfedge(v);
+      if(first == Mesh::null_halfedge())
+        continue;
+      int faces = m_mesh.face(first) != Mesh::null_face();
+      for(Halfedge_index h = m_mesh.opposite(m_mesh.next(first)); h != first; h = m_mesh.opposite(m_mesh.next(h)))
+        ++faces;
+      if(faces != degree[std::size_t(v)])
         return several_umbrellas(v);
     }
     return std::string();
   }
 
-  static Halfedge_index halfedge(std::size_t i) { return Halfedge_index(Mesh::size_type(i)); }
   static std::string several_umbrellas(Vertex_index v)
   {
     return name("vertex", std::size_t(v)) + " joins parts that have no common edge there";

@@ -86,8 +86,8 @@ inline void set_columns(const std::vector<Three_channels>& signal, const std::ar
 
 constexpr std::array<const char*, 3> normal_names = {{"nx", "ny", "nz"}}, color_names = {{"red", "green", "blue"}};
 
-// What the pack of named parameters holds is known when compiled: masks and normals of the file double it each, so that
-// what differs at run time only is always in it.
+// What a pack of named parameters holds is known when compiled, and every pack is a compilation of its own. So weights are
+// masks always, constant ones if need be; only normals of the file make a second pack.
 template <class SparseLinearSolver>
 class Filter
 {
@@ -110,10 +110,17 @@ public:
       const std::vector<double>& selected = property(o, m_file, o.constrained_property);
       std::transform(selected.begin(), selected.end(), is_constrained.begin(), [](double x) { return x != 0; });
     }
-    return with_masks(GDP::parameters::sparse_linear_solver(m_solver)
+    const auto at_vertices = [&](const std::string& name, double otherwise) {
+      return name.empty() ? std::vector<double>(m_file.mesh.number_of_vertices(), otherwise) : property(o, m_file, name);
+    };
+    std::vector<double> alpha = at_vertices(o.value_weight_property, o.value_weight);
+    std::vector<double> beta = at_faces(m_file.mesh, at_vertices(o.gradient_weight_property, o.gradient_weight));
+    std::vector<double> lambda = at_faces(m_file.mesh, at_vertices(o.gradient_scale_property, o.gradient_scale));
+    return with_normals(GDP::parameters::sparse_linear_solver(m_solver)
       .visitor(std::ref(m_clock))
-      .value_weight(o.value_weight)
-      .gradient_weight(o.gradient_weight)
+      .vertex_value_weight_map(Vertex_map<double>{&alpha})
+      .face_gradient_weight_map(Face_map<double>{&beta})
+      .face_gradient_scale_map(Face_map<double>{&lambda})
       .gradient_scale(o.gradient_scale)
       .area_normalization(o.area_normalization)
       .curvature_metric_kind(o.metric)
@@ -131,23 +138,6 @@ public:
   }
 
 private:
-  template <class NamedParameters>
-  Error_code with_masks(const NamedParameters& np)
-  {
-    const Options& o = m_options;
-    if(!o.has_masks())
-      return with_normals(np);
-    const auto at_vertices = [&](const std::string& name, double otherwise) {
-      return name.empty() ? std::vector<double>(m_file.mesh.number_of_vertices(), otherwise) : property(o, m_file, name);
-    };
-    std::vector<double> alpha = at_vertices(o.value_weight_property, o.value_weight);
-    std::vector<double> beta = at_faces(m_file.mesh, at_vertices(o.gradient_weight_property, o.gradient_weight));
-    std::vector<double> lambda = at_faces(m_file.mesh, at_vertices(o.gradient_scale_property, o.gradient_scale));
-    return with_normals(np.vertex_value_weight_map(Vertex_map<double>{&alpha})
-                          .face_gradient_weight_map(Face_map<double>{&beta})
-                          .face_gradient_scale_map(Face_map<double>{&lambda}));
-  }
-
   template <class NamedParameters>
   Error_code with_normals(const NamedParameters& np)
   {

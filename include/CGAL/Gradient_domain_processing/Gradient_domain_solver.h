@@ -199,11 +199,11 @@ public:
     : m_system(internal::parameter(np, CGAL::internal_np::sparse_linear_solver, SparseLinearSolver()))
     , m_progress(internal::make_progress(np))
   {
-    internal::Stage_scope stage(*m_progress, Stage::READ);
-    std::vector<char> is_fixed;
-    m_error = internal::read_mesh(tm, vertex_points(tm, np), np, m_elements, m_system.mesh);
-    is_fixed.assign(m_elements.vertices.size(), 0);
-    initialize(tm, is_fixed, np);
+    initialize(tm, np, [&](std::vector<char>& is_fixed) {
+      const Error_code code = internal::read_mesh(tm, vertex_points(tm, np), np, m_elements, m_system.mesh);
+      is_fixed.assign(m_elements.vertices.size(), 0);
+      return code;
+    });
   }
 
   /*!
@@ -220,10 +220,9 @@ public:
     : m_system(internal::parameter(np, CGAL::internal_np::sparse_linear_solver, SparseLinearSolver()))
     , m_progress(internal::make_progress(np))
   {
-    internal::Stage_scope stage(*m_progress, Stage::READ);
-    std::vector<char> is_fixed;
-    m_error = internal::read_region(tm, region, vertex_points(tm, np), m_elements, m_system.mesh, is_fixed);
-    initialize(tm, is_fixed, np);
+    initialize(tm, np, [&](std::vector<char>& is_fixed) {
+      return internal::read_region(tm, region, vertex_points(tm, np), m_elements, m_system.mesh, is_fixed);
+    });
   }
 
   /// @}
@@ -275,10 +274,13 @@ public:
   }
 
   /// sets the metric to that of the embedding.
-  void set_embedding_metric()
+  Error_code set_embedding_metric()
   {
+    if(m_error != OK)
+      return m_error;
     internal::Stage_scope stage(*m_progress, Stage::METRIC);
     m_system.set_metrics(internal::embedding_metrics(m_system.mesh, m_system.parallel));
+    return OK;
   }
 
   /// sets the metric of every face.
@@ -315,10 +317,7 @@ public:
     if constexpr (internal::Has_parameter<face_metric_map_t, NP>::value)
       return set_metric(internal::parameter(np, face_metric_map, 0));
     else if constexpr (!internal::Has_parameter<curvature_weight_t, NP>::value && !internal::Has_parameter<curvature_metric_kind_t, NP>::value)
-    {
-      set_embedding_metric(); // known when compiled, which spares compiling the estimators
-      return OK;
-    }
+      return set_embedding_metric(); // known when compiled, which spares compiling the estimators
     else
     {
       const auto kind = internal::parameter(np, curvature_metric_kind,
@@ -330,10 +329,7 @@ public:
         if(!is_weight(weight))
           return ERROR_INVALID_WEIGHT;
         if(kind == Curvature_metric_kind::EMBEDDING || weight == 0)
-        {
-          set_embedding_metric();
-          return OK;
-        }
+          return set_embedding_metric();
         return set_curvature_metric(internal::Curvature_stretch{kind, weight * m_squared_length_unit}, np);
       }
       else
@@ -359,6 +355,7 @@ public:
    *
    * \param in the signal \f$ f \f$: a model of `ReadablePropertyMap` with key `vertex_descriptor` and any value that `Signal_traits` knows
    * \param out the result \f$ g \f$: a model of `WritablePropertyMap` with a value of the same dimension; may be `in`
+   * \param number_of_iterations how often the filter is applied, to the last result each time
    */
   template <class InMap, class OutMap>
   Error_code filter(InMap in, OutMap out, int number_of_iterations = 1)
@@ -607,23 +604,34 @@ private:
     return internal::parameter(np, CGAL::internal_np::vertex_point, get_const_property_map(CGAL::vertex_point, tm));
   }
 
-  template <class NamedParameters>
-  void initialize(const TriangleMesh& tm, std::vector<char>& is_fixed, const NamedParameters& np)
+  template <class NamedParameters, class Read>
+  void initialize(const TriangleMesh& tm, const NamedParameters& np, const Read& read)
   {
     using namespace CGAL::internal_np;
-    if(m_error != OK)
-      return;
     m_system.parallel = internal::is_parallel<
       internal::Parameter_type<concurrency_tag_t, NamedParameters, Parallel_if_available_tag> >();
-    m_squared_length_unit = internal::parameter(np, area_normalization, true)
-                          ? internal::total_area(tm, vertex_points(tm, np), m_system.mesh.exponent)
-                          : 1 / (m_system.mesh.unit() * m_system.mesh.unit());
-    m_error = std::isfinite(m_squared_length_unit) ? read_constraints(is_fixed, np)
-                                                   : ERROR_INVALID_POINT; // outside of the region
-    if(m_error == OK)
-      m_error = read_weights(np);
+    {
+      internal::Stage_scope stage(*m_progress, Stage::READ);
+      std::vector<char> is_fixed;
+      m_error = read(is_fixed);
+      if(m_error == OK)
+        m_error = read_unit(tm, np);
+      if(m_error == OK)
+        m_error = read_constraints(is_fixed, np);
+      if(m_error == OK)
+        m_error = read_weights(np);
+    }
     if(m_error == OK)
       m_error = set_metric_from_parameters(np);
+  }
+
+  template <class NamedParameters>
+  Error_code read_unit(const TriangleMesh& tm, const NamedParameters& np)
+  {
+    m_squared_length_unit = internal::parameter(np, CGAL::internal_np::area_normalization, true)
+                          ? internal::total_area(tm, vertex_points(tm, np), m_system.mesh.exponent)
+                          : 1 / (m_system.mesh.unit() * m_system.mesh.unit());
+    return std::isfinite(m_squared_length_unit) ? OK : ERROR_INVALID_POINT;
   }
 
   template <class NamedParameters>

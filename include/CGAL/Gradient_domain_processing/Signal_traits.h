@@ -45,7 +45,13 @@ template <class Value, class = void>
 struct Signal_traits
 {
   static constexpr int dimension = 1;
-  static double channel(const Value& value, int) { return CGAL::to_double(value); }
+  static double channel(const Value& value, int)
+  {
+    if constexpr (std::is_arithmetic<Value>::value)
+      return static_cast<double>(value); // CGAL does not know all of them
+    else
+      return CGAL::to_double(value);
+  }
   static Value make(const double* channels)
   {
     if constexpr (std::is_integral<Value>::value)

@@ -48,8 +48,7 @@ Error_code fit_to_gradients(const TriangleMesh& tm, InMap in, FaceGradientMap gr
  * does so on a region of the mesh. Vertices that have a face outside of the region keep their values, to the bit.
  *
  * \param region a range of `face_descriptor`; may be empty
- *
- * The other parameters are those of the function above.
+ * \param tm, in, gradients, out, np as above
  */
 template <class FaceRange, class TriangleMesh, class InMap, class FaceGradientMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Error_code fit_to_gradients(const FaceRange& region, const TriangleMesh& tm, InMap in, FaceGradientMap gradients, OutMap out,

@@ -26,7 +26,7 @@ Error_code fit_to_normals(Solver solver, TriangleMesh& tm, VertexNormalMap norma
   if(const Error_code code = solver.read_vectors(normal_map, given))
     return code;
   Signal normals = as_signal(given);
-  if(!Has_parameter<gradient_scale_t, NamedParameters>::value)
+  if(!Has_parameter<gradient_scale_t, NamedParameters>::value && !Has_parameter<face_gradient_scale_map_t, NamedParameters>::value)
     solver.set_gradient_scale(1);
 
   return change_positions(solver, tm, np, [&]() -> Error_code {
@@ -57,7 +57,7 @@ Error_code fit_to_normals(Solver solver, TriangleMesh& tm, VertexNormalMap norma
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * moves the vertices of a mesh so that its normals agree with given ones (after Yu et al. 2004, as in the program of the paper's
+ * moves the vertices of a mesh so that its normals agree with given ones (after Yu et al.\ 2004, as in the program of the paper's
  * authors). The normals are first filtered as a signal, with the weights and metric of the parameters, unless
  * \f$ \lambda = 1 \f$. Then every edge \f$ d = p_j - p_i \f$ is asked to be orthogonal to \f$ n = n_i + n_j \f$: its target is
  * \f$ d - \frac{\langle d, n \rangle}{\langle n, n \rangle} n \f$, and the positions that fit these targets best are solved for, with the weight

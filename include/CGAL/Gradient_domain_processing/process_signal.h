@@ -58,9 +58,8 @@ Error_code process_signal(const TriangleMesh& tm, InMap in, OutMap out, const CG
  * filters a signal on a region of the mesh. Vertices that have a face outside of the region keep their values, to the bit, and
  * `out` is written at the vertices of the region only.
  *
- * \param region a range of `face_descriptor`
- *
- * The other parameters are those of the function above.
+ * \param region a range of `face_descriptor`; may be empty
+ * \param tm, in, out, np as above
  */
 template <class FaceRange, class TriangleMesh, class InMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Error_code process_signal(const FaceRange& region, const TriangleMesh& tm, InMap in, OutMap out,

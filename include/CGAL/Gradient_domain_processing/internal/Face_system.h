@@ -72,7 +72,7 @@ public:
       const auto& t = mesh.triangles[f];
       centers[f] = (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3;
     }
-    m_unknowns.vertex = nested_dissection(centers, neighbors.offsets, neighbors.items);
+    m_unknowns.vertex = elimination_order(centers, neighbors, parallel);
     m_unknowns.column.resize(n);
     for(int k = 0; k < n; ++k)
       m_unknowns.column[m_unknowns.vertex[k]] = k;

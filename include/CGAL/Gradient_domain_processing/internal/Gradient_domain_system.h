@@ -25,6 +25,12 @@ namespace internal {
 // square root of the machine precision, far below what a mesh of any use contains.
 constexpr double degeneracy_ratio = 1.5e-8;
 
+inline std::vector<int> elimination_order(const std::vector<Vec3>& points, const Lists& neighbors, bool parallel)
+{
+  return parallel ? nested_dissection<Parallel_tag>(points, neighbors.offsets, neighbors.items)
+                  : nested_dissection<Sequential_tag>(points, neighbors.offsets, neighbors.items);
+}
+
 // The system (alpha M + beta S) (g - f) = beta (D v - S f) on arrays. It is solved for the change of the signal, so that the
 // rounding error is that of the change, and what need not change does not.
 template <class SparseLinearSolver>
@@ -81,17 +87,7 @@ public:
       return ERROR_CANCELLED;
     Stage_scope stage(progress, Stage::ANALYZE);
 
-    const Lists rings = mesh.one_rings(parallel);
-    const std::vector<int> order = nested_dissection(mesh.points, rings.offsets, rings.items);
-    m_unknowns.column.assign(mesh.number_of_vertices(), -1);
-    m_unknowns.vertex.clear();
-    for(int v : order)
-      if(!is_constrained[v] && mesh.corners.size(v) > 0)
-      {
-        m_unknowns.column[v] = m_unknowns.size();
-        m_unknowns.vertex.push_back(v);
-      }
-    m_matrix = sparsity_pattern(rings, m_unknowns, m_solver.reads_lower_triangle, parallel);
+    order_unknowns();
     const Error_code code = m_unknowns.size() > 0 ? m_solver.analyze(m_matrix) : OK;
     m_is_analyzed = code == OK;
     return code;
@@ -164,6 +160,21 @@ public:
   }
 
 private:
+  void order_unknowns()
+  {
+    const Lists rings = mesh.one_rings(parallel);
+    const std::vector<int> order = elimination_order(mesh.points, rings, parallel);
+    m_unknowns.column.assign(mesh.number_of_vertices(), -1);
+    m_unknowns.vertex.clear();
+    for(int v : order)
+      if(!is_constrained[v] && mesh.corners.size(v) > 0)
+      {
+        m_unknowns.column[v] = m_unknowns.size();
+        m_unknowns.vertex.push_back(v);
+      }
+    m_matrix = sparsity_pattern(rings, m_unknowns, m_solver.reads_lower_triangle, parallel);
+  }
+
   // Components of very different size, or nearly degenerate triangles, may lose the positive definiteness to rounding. A shift
   // of the diagonal brings it back, and refinement takes the shift out of the solution.
   Error_code factorize_or_shift()

@@ -68,6 +68,8 @@ template <class Matrix>
 void keep_order(Eigen::CholmodSupernodalLLT<Matrix, Eigen::Lower>& solver)
 {
   cholmod_common& common = solver.cholmod();
+  if(common.print == 3) // its default: warnings on the terminal
+    common.print = 0;
   if(common.nmethods == 0)
   {
     common.nmethods = 1;
@@ -98,6 +100,7 @@ class Linear_solver
 
   SolverTraits m_traits;
   std::unique_ptr<Matrix> m_matrix; // factor() may keep a pointer to it
+  NT m_denominator = NT(1);         // solutions are multiples of it
 
 public:
   static constexpr bool reads_lower_triangle = false;
@@ -113,8 +116,7 @@ public:
     for(int j = 0; j < matrix.outerSize(); ++j)
       for(Eigen::SparseMatrix<double>::InnerIterator it(matrix, j); it; ++it)
         m_matrix->set_coef(it.row(), it.col(), NT(it.value()), true);
-    NT denominator(1);
-    return m_traits.factor(*m_matrix, denominator) ? OK : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+    return m_traits.factor(*m_matrix, m_denominator) ? OK : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
   }
 
   Error_code solve(const Eigen::MatrixXd& right, Eigen::MatrixXd& solution)
@@ -132,7 +134,7 @@ public:
       if(!m_traits.linear_solver(b, x))
         return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
       for(int i = 0; i < n; ++i)
-        solution(i, channel) = to_double(x[i]);
+        solution(i, channel) = to_double(x[i] / m_denominator);
     }
     return OK;
   }

@@ -51,7 +51,7 @@ public:
   {
     std::iota(m_order.begin(), m_order.end(), 0);
     Workspace workspace(m_order.size());
-    dissect({ 0, int(m_order.size()) }, number_of_parallel_levels, workspace);
+    dissect(put_hubs_last(), number_of_parallel_levels, workspace);
     for (int& v : m_order) v = m_original[v];
     return std::move(m_order);
   }
@@ -134,6 +134,16 @@ private:
     ordered.get();
   }
 
+  // A vertex with very many neighbours spoils every cut.
+  Domain put_hubs_last()
+  {
+    const double many = 100 + 10 * std::sqrt(double(m_order.size()));
+    const auto is_hub = [&](int v) { return m_offsets[v + 1] - m_offsets[v] > many; };
+    const auto hubs = std::stable_partition(m_order.begin(), m_order.end(), [&](int v) { return !is_hub(v); });
+    for (auto hub = hubs; hub != m_order.end(); ++hub) m_domain[*hub] = separated;
+    return { 0, int(hubs - m_order.begin()) };
+  }
+
   bool is_inside(int v, Domain domain) const { return m_domain[v] == domain.begin; }
 
   template <typename Visitor>
@@ -164,15 +174,20 @@ private:
       best = cut;
       best_direction = k;
     }
-    if (best.cost == no_cut().cost) {  // the points say little or nothing
+    if (best.cost > usual_cost(domain)) {  // the points say little about the graph
       assign_slabs_breadth_first(domain, workspace);
-      return sweep(domain, workspace);
+      const Cut cut = sweep(domain, workspace);
+      if (cut.cost <= best.cost) return cut;
+      assign_slabs(domain, scatter, directions[best_direction]);
+    } else if (best_direction + 1 < directions.size()) {
+      assign_slabs(domain, scatter, directions[best_direction]);
     }
-    if (best_direction + 1 < directions.size()) assign_slabs(domain, scatter, directions[best_direction]);
     return best;
   }
 
-  static Cut no_cut() { return { std::numeric_limits<double>::max(), number_of_slabs / 2 }; }
+  static double usual_cost(Domain domain) { return 6 * std::sqrt(double(domain.size())); }
+
+  static Cut no_cut() { return { std::numeric_limits<double>::infinity(), number_of_slabs / 2 }; }
 
   Scatter compute_scatter(Domain domain) const
   {
@@ -193,7 +208,7 @@ private:
   // The principal axis, and for domains large enough to repay it the second one and the two diagonals between them.
   static std::vector<Eigen::Vector3d> candidate_directions(Domain domain, const Scatter& scatter)
   {
-    constexpr int worth_a_choice = 1000;
+    constexpr int worth_a_choice = 2000;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter.covariance);
     const Eigen::Vector3d first = solver.eigenvectors().col(2), second = solver.eigenvectors().col(1);
     if (domain.size() < worth_a_choice) return { first };
@@ -256,7 +271,9 @@ private:
       ++crossing[m_slab[v] + 1];
       --crossing[highest + 1];
     }
-    return cheapest_cut(population, crossing, total);
+    Cut cut = cheapest_cut(population, crossing, total);
+    cut.cost *= stride;
+    return cut;
   }
 
   // A sample is enough: of a separator of about sqrt(n) vertices it sees some fifty.
@@ -310,7 +327,7 @@ private:
   // A wide band gives the separator freedom; it must leave most of the side alone, for balance and for speed.
   static int room_in_band(Domain domain, int size_of_side)
   {
-    constexpr double layers = 10, part_of_side = 0.2;
+    constexpr double layers = 10, part_of_side = 0.15;
     return int(std::min(layers * std::sqrt(double(domain.size())), part_of_side * size_of_side));
   }
 

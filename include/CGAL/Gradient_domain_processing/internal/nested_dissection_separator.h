@@ -96,25 +96,27 @@ private:
       std::sort(m_neighbors.begin() + m_offsets[v], m_neighbors.begin() + m_offsets[v + 1], is_closer);
   }
 
-  int number_of_arcs(int state) const
+  // The next state to try after the last of the path, along an arc of the residual graph; `none` if there is no more.
+  int advance(Step& last) const
   {
-    const int v = vertex(state);
-    return is_left(state) ? m_offsets[v + 1] - m_offsets[v] + 1 : 1;
+    const int v = vertex(last.state);
+    if (!is_left(last.state)) return last.arc++ == 0 ? unseen(after_entering(v)) : none;
+    const int degree = m_offsets[v + 1] - m_offsets[v];
+    while (last.arc < degree) {
+      const int w = m_neighbors[m_offsets[v] + last.arc++];
+      if (w != m_next[v] && !m_seen[entered(w)]) return entered(w);
+    }
+    return last.arc++ == degree && is_on_path(v) ? unseen(entered(v)) : none;
   }
 
-  // Where the i-th arc of the residual graph out of `state` leads; `none` if it is saturated.
-  int head(int state, int i) const
+  bool is_on_path(int v) const { return m_next[v] != none; }
+  int unseen(int state) const { return state != none && !m_seen[state] ? state : none; }
+
+  // One who enters a vertex in use takes over the rest of its path; the vertex before must leave for elsewhere.
+  int after_entering(int v) const
   {
-    const int v = vertex(state);
-    const bool is_on_path = m_next[v] != none;
-    if (!is_left(state)) {
-      if (!is_on_path) return left(v);
-      return m_previous[v] != terminal ? left(m_previous[v]) : none;  // the old path shall leave from there elsewhere
-    }
-    const int begin = m_offsets[v];
-    if (begin + i == m_offsets[v + 1]) return is_on_path ? entered(v) : none;
-    const int w = m_neighbors[begin + i];
-    return m_next[v] != w ? entered(w) : none;
+    if (!is_on_path(v)) return left(v);
+    return m_previous[v] != terminal ? left(m_previous[v]) : none;
   }
 
   // What a failed search has seen will never lead to the sink and stays marked; this is also what makes up the source's
@@ -131,12 +133,9 @@ private:
         for (int state : m_visited) m_seen[state] = false;
         return;
       }
-      if (last.arc == number_of_arcs(last.state)) {
-        m_path.pop_back();
-        continue;
-      }
-      const int next = head(last.state, last.arc++);
-      if (next != none && !m_seen[next]) visit(next);
+      const int next = advance(last);
+      if (next != none) visit(next);
+      else m_path.pop_back();
     }
   }
 

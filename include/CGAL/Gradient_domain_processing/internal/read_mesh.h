@@ -43,7 +43,7 @@ constexpr double largest_coordinate = 1e150;
 
 inline bool is_valid_point(const Vec3& p)
 {
-  return p.cwiseAbs().maxCoeff() <= largest_coordinate; // false for NaN
+  return (p.array().abs() <= largest_coordinate).all(); // false for NaN, which a maximum would lose
 }
 
 // Multiplies the points by the power of two that brings their extent near one.

@@ -1,0 +1,155 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_CONJUGATE_GRADIENT_SOLVER_TRAITS_H
+#define CGAL_GRADIENT_DOMAIN_PROCESSING_CONJUGATE_GRADIENT_SOLVER_TRAITS_H
+
+#include <CGAL/Gradient_domain_processing/internal/Conjugate_gradient.h>
+#include <CGAL/Gradient_domain_processing/internal/Linear_solver.h>
+#include <CGAL/Gradient_domain_processing/internal/parallel_for.h>
+
+#include <CGAL/Eigen_matrix.h>
+#include <CGAL/Eigen_vector.h>
+#include <CGAL/assertions.h>
+#include <CGAL/tags.h>
+
+#include <memory>
+#include <new>
+
+namespace CGAL {
+namespace Gradient_domain_processing {
+
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * solves symmetric positive definite systems by conjugate gradients, preconditioned by an algebraic multigrid method (smoothed
+ * aggregation). Time and memory grow linearly with the mesh: it is for meshes whose Cholesky factor does not fit in memory.
+ * Below that the default solver is faster, above all where several signals are processed with one matrix.
+ *
+ * The iteration starts from zero. As this package solves for the change of a signal, that is a start from the signal itself.
+ *
+ * A solution is accepted when \f$ \|r\|_B \leq \tau \|b\|_B \f$ for the residual \f$ r \f$ and the right-hand side \f$ b \f$, with
+ * \f$ \tau \f$ the tolerance and \f$ B \approx A^{-1} \f$ the preconditioner. This is about the error of the solution in the norm of the
+ * energy, relative to the solution, at any resolution. Where the maximum number of iterations does not reach it, functions of
+ * this package return `ERROR_NOT_CONVERGED`.
+ *
+ * Copies share their state: the object whose copy is passed to a function has the numbers of iterations afterwards.
+ *
+ * \tparam ConcurrencyTag enables parallel computation. The result is the same to the bit either way.
+ *
+ * \cgalModels `SparseLinearAlgebraWithFactorTraits_d`
+ *
+ * \sa `Default_sparse_linear_solver`
+ */
+template <class ConcurrencyTag = Parallel_if_available_tag>
+class Conjugate_gradient_solver_traits
+{
+  std::shared_ptr<internal::Conjugate_gradient> m_solver = std::make_shared<internal::Conjugate_gradient>();
+
+public:
+  /// \name Types
+  /// @{
+
+  /// the number type
+  typedef double NT;
+  /// a square matrix. Both its triangles must be set.
+  typedef Eigen_sparse_matrix<double> Matrix;
+  /// a vector
+  typedef Eigen_vector<double> Vector;
+
+  /// @}
+
+  /// \name Construction
+  /// @{
+
+  /*!
+   * \param tolerance \f$ \tau \f$, positive
+   * \param maximum_number_of_iterations after so many iterations a solution has failed
+   */
+  explicit Conjugate_gradient_solver_traits(double tolerance = 1e-10, int maximum_number_of_iterations = 500)
+  {
+    m_solver->tolerance = tolerance;
+    m_solver->max_iterations = maximum_number_of_iterations;
+    m_solver->parallel = internal::is_parallel<ConcurrencyTag>();
+  }
+
+  /// @}
+
+  /// \name Operations
+  /// @{
+
+  /// prepares the solution of \f$ A X = B \f$. The matrix is copied. Returns `false` if a diagonal entry is not positive: the matrix is
+  /// not positive definite then. \f$ D \f$ becomes 1.
+  bool factor(const Matrix& A, NT& D)
+  {
+    CGAL_precondition(A.row_dimension() == A.column_dimension());
+    D = 1;
+    return m_solver->compute(A.eigen_object());
+  }
+
+  /// solves \f$ A X = B \f$ with the matrix of the last `factor()`. Returns whether the tolerance was reached.
+  bool linear_solver(const Vector& B, Vector& X)
+  {
+    Eigen::MatrixXd solution;
+    const bool has_converged = m_solver->solve(B.eigen_object(), solution);
+    X.eigen_object() = solution.col(0);
+    return has_converged;
+  }
+
+  /// solves \f$ A X = B \f$. Returns whether it succeeded.
+  bool linear_solver(const Matrix& A, const Vector& B, Vector& X, NT& D) { return factor(A, D) && linear_solver(B, X); }
+
+  /// @}
+
+  /// \name The Last Solution
+  /// @{
+
+  /// the number of iterations, of the channel that took most
+  int iterations() const { return m_solver->iterations; }
+
+  /// the relative error that was reached, as it is compared with the tolerance; of the channel that has most
+  double error() const { return m_solver->error; }
+
+  /// @}
+
+  /// \cond SKIP_IN_MANUAL
+  internal::Conjugate_gradient& solver() { return *m_solver; }
+  /// \endcond
+};
+
+namespace internal {
+
+template <class ConcurrencyTag>
+class Linear_solver<Conjugate_gradient_solver_traits<ConcurrencyTag> >
+{
+  Conjugate_gradient_solver_traits<ConcurrencyTag> m_traits; // shares its state with the caller's copy
+
+public:
+  static constexpr bool reads_lower_triangle = false;
+  static constexpr bool is_iterative = true;
+
+  explicit Linear_solver(const Conjugate_gradient_solver_traits<ConcurrencyTag>& traits) : m_traits(traits) {}
+
+  Error_code analyze(const Eigen::SparseMatrix<double>&) { return OK; }
+
+  Error_code factorize(const Eigen::SparseMatrix<double>& matrix)
+  {
+    try { return m_traits.solver().compute(matrix) ? OK : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM; }
+    catch(const std::bad_alloc&) { return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM; }
+  }
+
+  Error_code solve(const Eigen::MatrixXd& right, Eigen::MatrixXd& solution)
+  {
+    try { return m_traits.solver().solve(right, solution) ? OK : ERROR_NOT_CONVERGED; }
+    catch(const std::bad_alloc&) { return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM; }
+  }
+};
+
+} // namespace internal
+} // namespace Gradient_domain_processing
+} // namespace CGAL
+
+#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_CONJUGATE_GRADIENT_SOLVER_TRAITS_H

@@ -1,0 +1,270 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What the curvature metrics are for (paper, Figures 1, 3 and 4), in numbers.
+
+#include "test_shapes.h"
+#include "test_utils.h"
+
+#include <CGAL/Gradient_domain_processing/enhance_details.h>
+#include <CGAL/Gradient_domain_processing/smooth.h>
+
+#include <iostream>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace GDP = CGAL::Gradient_domain_processing;
+using namespace gdp_test;
+
+typedef GDP::Curvature_metric_kind Kind;
+
+struct Filter
+{
+  Kind kind = Kind::EMBEDDING;
+  double curvature_weight = 0.02, presmoothing_weight = 1e-4;
+  GDP::Border_condition border_condition = GDP::Border_condition::FREE;
+};
+
+Mesh smoothed(const Mesh& mesh, double weight, const Filter& filter, double scale = 0)
+{
+  Mesh result = mesh;
+  GDP_CHECK(GDP::smooth(result, GDP::parameters::gradient_weight(weight).gradient_scale(scale).curvature_metric_kind(filter.kind)
+                                  .curvature_weight(filter.curvature_weight).presmoothing_weight(filter.presmoothing_weight)
+                                  .border_condition(filter.border_condition)) == GDP::OK);
+  return result;
+}
+
+double angle(const Vec& a, const Vec& b)
+{
+  return 2 * std::asin((std::min)(1., (a.normalized() - b.normalized()).norm() / 2)) * 180 / pi;
+}
+
+double dihedral_angle(const Mesh& mesh, Mesh::Edge_index e)
+{
+  const auto h = mesh.halfedge(e);
+  return angle(area_vector(mesh, mesh.face(h)), area_vector(mesh, mesh.face(mesh.opposite(h))));
+}
+
+// ---- Figure 1: a noisy shape whose creases are known
+
+struct Noisy_part
+{
+  Mesh clean, noisy;
+  std::vector<Mesh::Edge_index> creases;
+  std::vector<Face> smooth_faces; // far from every crease
+
+  Noisy_part(const Shape& shape, double noise) : clean(mesh_of(shape))
+  {
+    double edge = 0;
+    for(auto e : clean.edges())
+      edge += (vec(clean.point(clean.vertex(e, 0))) - vec(clean.point(clean.vertex(e, 1)))).norm() / clean.number_of_edges();
+    noisy = mesh_of(shape.noisy(noise * edge));
+
+    for(auto e : clean.edges())
+      if(dihedral_angle(clean, e) > 45)
+        creases.push_back(e);
+    for(Face f : clean.faces())
+    {
+      Vec center(0, 0, 0);
+      for(Vertex v : corners(clean, f))
+        center += vec(clean.point(v)) / 3;
+      double distance = std::numeric_limits<double>::infinity();
+      for(auto e : creases)
+        distance = (std::min)(distance, (vec(clean.point(clean.vertex(e, 0))) - center).norm());
+      if(distance > 4 * edge)
+        smooth_faces.push_back(f);
+    }
+    GDP_CHECK(creases.size() > 40 && smooth_faces.size() > 100);
+  }
+
+  // root mean square of the angle between the normals and those without noise
+  double residual_noise(const Mesh& mesh) const
+  {
+    double sum = 0;
+    for(Face f : smooth_faces)
+      sum += std::pow(angle(area_vector(mesh, f), area_vector(clean, f)), 2);
+    return std::sqrt(sum / smooth_faces.size());
+  }
+
+  // mean absolute error of the dihedral angles
+  double crease_error(const Mesh& mesh) const
+  {
+    double sum = 0;
+    for(auto e : creases)
+      sum += std::abs(dihedral_angle(mesh, e) - dihedral_angle(clean, e));
+    return sum / creases.size();
+  }
+
+  // smoothed until so much noise is left
+  Mesh smoothed_to(double noise, const Filter& filter) const
+  {
+    double low = 1e-7, high = 1e-1;
+    for(int step = 0; step < 12; ++step)
+    {
+      const double weight = std::sqrt(low * high);
+      (residual_noise(smoothed(noisy, weight, filter)) > noise ? low : high) = weight;
+    }
+    const Mesh result = smoothed(noisy, high, filter);
+    GDP_CHECK_NEAR(residual_noise(result) / noise, 1, 0.02);
+    return result;
+  }
+};
+
+void test_creases(const std::string& name, const Noisy_part& part, double curvature_weight)
+{
+  const double noise = 0.35 * part.residual_noise(part.noisy);
+  Filter filter;
+  const double isotropic = part.crease_error(part.smoothed_to(noise, filter));
+  filter.curvature_weight = curvature_weight;
+  filter.kind = Kind::EDGE_AWARE;
+  const double edge_aware = part.crease_error(part.smoothed_to(noise, filter));
+  filter.kind = Kind::ANISOTROPIC;
+  const double anisotropic = part.crease_error(part.smoothed_to(noise, filter));
+  std::cout << name << ": dihedral angles off by " << isotropic << " degrees (isotropic), " << edge_aware << " (edge aware, "
+            << isotropic / edge_aware << " times better), " << anisotropic << " (anisotropic, " << isotropic / anisotropic
+            << " times better)" << std::endl;
+  GDP_CHECK(isotropic / edge_aware > 2);
+  GDP_CHECK(anisotropic < 0.95 * edge_aware);
+}
+
+// Two spherical caps that meet at an edge.
+Shape lens(int n)
+{
+  const double radius = 1.2;
+  return sphere(n, 0).mapped([&](const Vec& p) {
+    const double polar = std::acos((std::min)(1., std::abs(p.z()))) / (pi / 2), r = p.z() == 0 ? 1 : polar;
+    const double height = std::sqrt(radius * radius - r * r) - std::sqrt(radius * radius - 1);
+    const double length = p.head<2>().norm();
+    const Vec flat = length > 0 ? Vec(r / length * p.x(), r / length * p.y(), 0) : Vec(0, 0, 0);
+    return Vec(flat.x(), flat.y(), p.z() == 0 ? 0 : p.z() > 0 ? height : -height);
+  });
+}
+
+// ---- Figure 3: convex and concave creases of the same radius
+
+struct Stairs
+{
+  static constexpr double radius = 0.1, turn = pi / 3, straight = 0.4;
+  struct Sample
+  {
+    Vec point;
+    int sign; // 1 in the middle of a convex crease, -1 of a concave one
+  };
+
+  // the profile at a length along it: straight, up, straight, down, straight, up, ...
+  static Sample at(double s)
+  {
+    Vec p(0, 0, 0);
+    double heading = 0;
+    for(int piece = 0;; ++piece)
+    {
+      if(s <= straight)
+        return {p + s * Vec(std::cos(heading), 0, std::sin(heading)), 0};
+      p += straight * Vec(std::cos(heading), 0, std::sin(heading));
+      s -= straight;
+      const int direction = piece % 2 ? -1 : 1; // upwards is concave, seen from above
+      const double along = (std::min)(s, radius * turn) / radius, end = heading + direction * along;
+      p += radius * direction * Vec(std::sin(end) - std::sin(heading), 0, std::cos(heading) - std::cos(end));
+      if(s <= radius * turn)
+        return {p, std::abs(along / turn - 0.5) < 0.3 ? -direction : 0};
+      s -= radius * turn;
+      heading = end;
+    }
+  }
+  static double length() { return 5 * straight + 4 * radius * turn; }
+};
+
+void test_preserved_signs()
+{
+  const int n = 150, width = 12;
+  const double length = Stairs::length();
+  const Mesh before = mesh_of(grid(n, width, [&](double u, double v) {
+    return Vec(Stairs::at(u * length).point + Vec(0, v * width * length / n, 0));
+  }));
+  const auto sign_of = [&](Vertex v) {
+    const int i = int(v) / (width + 1), j = int(v) % (width + 1);
+    return j > 3 && j < width - 3 ? Stairs::at(double(i) / n * length).sign : 0;
+  };
+  const auto changes = [&](Kind kind, double& convex, double& concave) {
+    Filter filter;
+    filter.kind = kind;
+    filter.curvature_weight = 1;
+    filter.presmoothing_weight = 0;
+    filter.border_condition = GDP::Border_condition::FIXED;
+    const Mesh after = smoothed(before, 1e-4, filter);
+    double sum[2] = {0, 0};
+    int number[2] = {0, 0};
+    for(Vertex v : before.vertices())
+      if(const int sign = sign_of(v))
+      {
+        sum[sign > 0] += (vec(after.point(v)) - vec(before.point(v))).squaredNorm();
+        ++number[sign > 0];
+      }
+    GDP_CHECK(number[0] > 20 && number[1] > 20);
+    concave = std::sqrt(sum[0] / number[0]);
+    convex = std::sqrt(sum[1] / number[1]);
+  };
+  double convex, concave;
+  changes(Kind::EMBEDDING, convex, concave);
+  std::cout << "isotropic: convex creases change by " << convex << ", concave ones by " << concave << std::endl;
+  GDP_CHECK(convex > 1e-4 && concave > 1e-4 && convex < 1.2 * concave && concave < 1.2 * convex);
+  changes(Kind::PRESERVE_CONVEX, convex, concave);
+  std::cout << "convex preserved: convex creases change " << concave / convex << " times less" << std::endl;
+  GDP_CHECK(concave > 5 * convex);
+  changes(Kind::PRESERVE_CONCAVE, convex, concave);
+  std::cout << "concave preserved: concave creases change " << convex / concave << " times less" << std::endl;
+  GDP_CHECK(convex > 5 * concave);
+}
+
+// ---- Figure 4: details enhanced, noise not
+
+void test_enhancement()
+{
+  const Shape shape = cubes({{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}}, 8); // its creases are the details
+  const Mesh clean = mesh_of(shape), noisy = mesh_of(shape.noisy(0.012));
+  const double sharpening_weight = 2e-4, sharpening_scale = 3;
+  const Mesh ideal = smoothed(clean, sharpening_weight, Filter(), sharpening_scale);
+
+  // in decibels: the normals of the sharpened details are the signal, noise is what differs from them
+  const auto ratio = [&](const Mesh& mesh) {
+    double noise = 0, area = 0;
+    for(Face f : mesh.faces())
+    {
+      const double a = area_vector(clean, f).norm();
+      noise += a * (area_vector(mesh, f).normalized() - area_vector(ideal, f).normalized()).squaredNorm();
+      area += a;
+    }
+    return 10 * std::log10(area / noise);
+  };
+  const auto enhanced = [&](Kind kind, double weight) {
+    Mesh mesh = noisy;
+    GDP_CHECK(GDP::enhance_details(mesh, GDP::parameters::gradient_weight(weight).curvature_metric_kind(kind).curvature_weight(0.1)
+                                           .presmoothing_weight(3e-5).sharpening_weight(sharpening_weight).sharpening_scale(sharpening_scale)) == GDP::OK);
+    return ratio(mesh);
+  };
+  // each with the smoothing that suits it best
+  const double naive = ratio(smoothed(noisy, sharpening_weight, Filter(), sharpening_scale));
+  double isotropic = -1000, edge_aware = -1000;
+  for(double weight = 1e-6; weight < 3e-3; weight *= 1.6)
+  {
+    isotropic = (std::max)(isotropic, enhanced(Kind::EMBEDDING, weight));
+    edge_aware = (std::max)(edge_aware, enhanced(Kind::EDGE_AWARE, weight));
+  }
+  std::cout << "signal to noise: sharpened " << naive << " dB, smoothed isotropically first " << isotropic << " dB, edge-aware first "
+            << edge_aware << " dB" << std::endl;
+  GDP_CHECK(isotropic > naive + 3);
+  GDP_CHECK(edge_aware > isotropic + 2);
+}
+
+int main()
+{
+  test_creases("part", Noisy_part(cubes({{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}}, 10), 0.2), 0.2);
+  test_creases("lens", Noisy_part(lens(12), 0.12), 0.2);
+  test_preserved_signs();
+  test_enhancement();
+  return GDP_TEST_RESULT();
+}

@@ -1,0 +1,505 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// gradient_domain_filter from outside: exit codes, messages, files. The program is named by the environment variable
+// GRADIENT_DOMAIN_FILTER or the first argument.
+
+#include "test_utils.h"
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh/IO/OFF.h>
+#include <CGAL/Surface_mesh/IO/PLY.h>
+#include <CGAL/Gradient_domain_processing/smooth.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <sys/wait.h>
+#endif
+
+namespace fs = std::filesystem;
+namespace GDP = CGAL::Gradient_domain_processing;
+
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+
+namespace {
+
+std::string program;
+fs::path folder; // of our own, removed at the end
+
+std::string contents(const fs::path& path)
+{
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream out;
+  out << in.rdbuf();
+  return out.str();
+}
+
+void write(const fs::path& path, const std::string& text)
+{
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+std::size_t number_of_files()
+{
+  return std::size_t(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+struct Outcome
+{
+  int code;
+  std::string out, err;
+};
+
+// Arguments are words without quotes; files are in our folder.
+Outcome run(const std::string& arguments)
+{
+  const fs::path out = folder / "stdout", err = folder / "stderr";
+  const std::string command = "cd \"" + folder.string() + "\" && \"" + program + "\" " + arguments + " >stdout 2>stderr";
+  int code = std::system(command.c_str());
+#if defined(__unix__) || defined(__APPLE__)
+  code = WIFEXITED(code) ? WEXITSTATUS(code) : -1;
+#endif
+  const Outcome outcome{code, contents(out), contents(err)};
+  fs::remove(out);
+  fs::remove(err);
+  return outcome;
+}
+
+bool is_one_line(const std::string& text)
+{
+  return std::count(text.begin(), text.end(), '\n') == 1 && text.back() == '\n' && text.compare(0, 24, "gradient_domain_filter: ") == 0;
+}
+
+// One line that names `what`, the right code, and no trace in the folder.
+void check_fails(const std::string& arguments, int code, const std::string& what)
+{
+  const std::size_t files = number_of_files();
+  const Outcome outcome = run(arguments);
+  const bool holds = outcome.code == code && is_one_line(outcome.err) && outcome.err.find(what) != std::string::npos
+                     && outcome.out.empty() && number_of_files() == files;
+  if(!GDP_CHECK(holds))
+    std::cerr << "  " << arguments << ": exit " << outcome.code << ", " << outcome.err << std::endl;
+}
+
+void check_succeeds(const std::string& arguments)
+{
+  const Outcome outcome = run(arguments);
+  if(!GDP_CHECK(outcome.code == 0 && outcome.err.empty()))
+    std::cerr << "  " << arguments << ": exit " << outcome.code << ", " << outcome.err << std::endl;
+}
+
+Mesh read_off(const fs::path& path)
+{
+  Mesh mesh;
+  std::ifstream in(path);
+  GDP_CHECK(CGAL::IO::read_OFF(in, mesh));
+  return mesh;
+}
+
+Mesh read_ply(const std::string& name)
+{
+  Mesh mesh;
+  std::ifstream in(folder / name, std::ios::binary);
+  std::string comments;
+  GDP_CHECK(CGAL::IO::read_PLY(in, mesh, comments));
+  return mesh;
+}
+
+// The mesh as PLY text with colors, normals, a mask and other properties.
+std::string ply_with_properties(const Mesh& mesh)
+{
+  std::ostringstream out;
+  out.precision(17);
+  out << "ply\nformat ascii 1.0\ncomment a mesh\nelement vertex " << mesh.number_of_vertices()
+      << "\nproperty double x\nproperty double y\nproperty double z\nproperty float nx\nproperty float ny\nproperty float nz\n"
+         "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty int selected\nproperty float quality\nproperty double alpha_weight\n"
+         "element face " << mesh.number_of_faces() << "\nproperty list uchar int vertex_indices\nproperty int part\nend_header\n";
+  int i = 0;
+  for(auto v : mesh.vertices())
+  {
+    const auto& p = mesh.point(v);
+    out << p.x() << " " << p.y() << " " << p.z() << " 0 0.5 0.25 " << (i % 3 == 0 ? 255 : 0) << " " << (i * 7) % 256 << " 128 "
+        << (p.x() > 0) << " " << i * 0.5 << " " << 1 + i % 2 << "\n";
+    ++i;
+  }
+  i = 0;
+  for(auto f : mesh.faces())
+  {
+    out << 3;
+    for(auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+      out << " " << std::size_t(v);
+    out << " " << i++ << "\n";
+  }
+  return out.str();
+}
+
+void test_usage()
+{
+  check_fails("", 2, "two files");
+  check_fails("mesh.off", 2, "two files");
+  check_fails("mesh.off a.ply b.ply", 2, "two files");
+  check_fails("mesh.off out.xyz", 2, "out.xyz");
+  check_fails("mesh out.ply", 2, "extension");
+  check_fails("mesh.off out.ply --no-such-option", 2, "no-such-option");
+  check_fails("mesh.off out.ply -x", 2, "-x");
+  check_fails("mesh.off out.ply --metric", 2, "metric");
+  check_fails("mesh.off out.ply --metric round", 2, "edge-aware");
+  check_fails("mesh.off out.ply --gradient-weight much", 2, "gradient-weight");
+  check_fails("mesh.off out.ply --gradient-weight -1", 2, "gradient-weight");
+  check_fails("mesh.off out.ply --gradient-weight nan", 2, "gradient-weight");
+  check_fails("mesh.off out.ply --value-weight inf", 2, "value-weight");
+  check_fails("mesh.off out.ply --iterations 0", 2, "iterations");
+  check_fails("mesh.off out.ply --metric edge-aware --jet-degree 7", 2, "jet-degree");
+  check_fails("mesh.off out.ply --jet-degree 3", 2, "--metric");
+  check_fails("mesh.off out.ply --metric embedding --curvature-weight 1", 2, "curvature-weight");
+  check_fails("mesh.off out.ply --value-weight 1 --value-weight-property w", 2, "contradicts");
+  check_fails("mesh.off out.ply --verbose --quiet", 2, "contradicts");
+  check_fails("mesh.off out.ply --ascii --binary", 2, "contradicts");
+  check_fails("mesh.off out.off --binary", 2, "binary");
+  check_fails("mesh.off out.stl --signal normal", 2, "STL");
+  check_fails("mesh.off out.off --signal curvature", 2, "PLY");
+  check_fails("mesh.off out.ply --signal curvature --gradient-weight 1", 2, "gradient-weight");
+  check_fails("mesh.off out.ply --signal normal --restore-volume", 2, "restore-volume");
+  check_fails("mesh.off out.ply --operation enhance-details --signal color", 2, "contradicts");
+  check_fails("mesh.off out.ply --sharpening-scale 2", 2, "enhance-details");
+  check_fails("mesh.off out.ply --report out.ply", 2, "report");
+  GDP_CHECK(run("--help").code == 0);
+  GDP_CHECK(run("--help").out.find("--gradient-weight") != std::string::npos);
+  GDP_CHECK(run("--version").out.find("gradient_domain_filter") == 0);
+}
+
+void test_bad_files(const Mesh& mesh)
+{
+  const std::string off = contents(folder / "mesh.off");
+  write(folder / "out.ply", "as it was");
+  const auto fails = [&](const std::string& name, const std::string& text, const std::string& what) {
+    write(folder / name, text);
+    check_fails(name + " out.ply", 1, what);
+    GDP_CHECK(contents(folder / name) == text);
+    fs::remove(folder / name);
+  };
+  check_fails("missing.off out.ply", 1, "missing.off: no such file");
+  fs::create_directory(folder / "folder.ply");
+  check_fails("folder.ply out.ply", 1, "folder.ply: is a directory");
+  check_fails("mesh.off folder.ply", 1, "folder.ply: is a directory");
+  check_fails("mesh.off nowhere/out.ply", 1, "no such folder");
+  check_fails("mesh.off out.ply --report nowhere/report.json", 1, "no such folder");
+  fs::remove(folder / "folder.ply");
+
+  fails("bad.ply", "", "empty");
+  fails("bad.ply", off, "not a PLY file");
+  fails("bad.stl", off, "STL");
+  fails("bad.obj", "nothing here\n", "OBJ");
+  fails("bad.off", "solid\n", "not an OFF file");
+  fails("bad.off", "OFF\n4000000000 9 0\n0 0 0\n", "4000000000");
+  fails("bad.off", "OFF\n3 4000000000 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "4000000000");
+  fails("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n", "face 0");
+  fails("bad.off", "OFF\n3 1 0\n0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n", "vertex 1");
+  fails("bad.off", "OFF\n3 1 0\n0 0 0\n1 x 0\n0 1 0\n3 0 1 2\n", "vertex 1");
+  fails("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "does not exist");
+  fails("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "does not exist");
+  fails("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 1\n", "twice");
+  fails("bad.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "no faces");
+  fails("bad.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n", "--triangulate");
+  fails("bad.off", "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 2\n3 0 1 2\n3 1 0 3\n3 0 1 4\n", "--repair");
+  fails("bad.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 2\n3 0 1 2\n3 0 3 4\n", "vertex 0");
+  fails("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "line 4");
+  fails("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4\n", "line 4");
+  fails("bad.stl", std::string(80, ' ') + "\xff\xff\xff\xff" + std::string(50, ' '), "do not fit");
+
+  const std::string head = "ply\nformat binary_little_endian 1.0\n";
+  const std::string xyz = "property float x\nproperty float y\nproperty float z\n";
+  fails("bad.ply", head + "element vertex 99999999999\n" + xyz + "end_header\n", "do not fit");
+  fails("bad.ply", head + "element vertex 99999999999\nend_header\n", "without a property");
+  fails("bad.ply", head + "element vertex -1\n" + xyz + "end_header\n", "header");
+  fails("bad.ply", head + "element vertex 1\nproperty quad x\nend_header\n", "quad");
+  fails("bad.ply", head + "element vertex 1\n" + xyz + "element face 1\nproperty list uchar float vertex_indices\nend_header\n"
+                   + std::string(30, '\0'), "list of integers");
+  fails("bad.ply", head + "element vertex 1\n" + xyz + "element face 1\nproperty list uint int vertex_indices\nend_header\n"
+                   + std::string(12, '\0') + "\xff\xff\xff\xff", "ends");
+
+  // truncated anywhere
+  check_succeeds("mesh.off whole.ply");
+  for(const char* encoding : {"--binary", "--ascii"})
+  {
+    check_succeeds(std::string("mesh.off whole.ply ") + encoding);
+    const std::string whole = contents(folder / "whole.ply");
+    const std::size_t longest = whole.size() - (whole.back() == '\n' ? 2 : 1);
+    for(std::size_t k = 0; k <= 40; ++k)
+      fails("cut.ply", whole.substr(0, longest * k / 40), "cut.ply: ");
+  }
+  for(std::size_t k = 0; k <= 20; ++k)
+    fails("cut.off", off.substr(0, off.size() / 21 * k), "cut.off: ");
+  fs::remove(folder / "whole.ply");
+  GDP_CHECK(contents(folder / "out.ply") == "as it was");
+  fs::remove(folder / "out.ply");
+  check_fails("properties.ply out.ply --constrain nothing", 1, "'nothing'");
+  check_fails("mesh.off out.ply --signal color", 1, "color");
+  check_fails("mesh.off out.ply --value-weight 0", 1, "mesh.off: ");
+  GDP_CHECK(mesh.number_of_faces() > 0);
+}
+
+double largest_difference(const Mesh& a, const Mesh& b)
+{
+  GDP_CHECK(a.number_of_vertices() == b.number_of_vertices() && a.number_of_faces() == b.number_of_faces());
+  double largest = 0;
+  for(auto v : a.vertices())
+    largest = (std::max)(largest, std::sqrt(CGAL::squared_distance(a.point(v), b.point(v))));
+  return largest;
+}
+
+void test_result(const Mesh& mesh)
+{
+  Mesh expected = mesh;
+  GDP_CHECK(GDP::smooth(expected, GDP::parameters::gradient_weight(1e-3).gradient_scale(0.5)) == GDP::OK);
+  const std::string options = " --gradient-weight 1e-3 --gradient-scale 0.5";
+  GDP_CHECK(largest_difference(mesh, expected) > 1e-3);
+  for(const char* solver : {"auto", "eigen", "cg"})
+  {
+    check_succeeds("mesh.off out.ply --solver " + std::string(solver) + options);
+    GDP_CHECK_NEAR(largest_difference(read_ply("out.ply"), expected), 0, 1e-11);
+  }
+  check_succeeds("mesh.off out.off" + options);
+  GDP_CHECK_NEAR(largest_difference(read_off(folder / "out.off"), expected), 0, 1e-12);
+
+  // every format takes the result through, to the bit
+  const Mesh written = read_off(folder / "out.off");
+  for(const char* name : {"a.obj", "b.ply", "c.off", "d.ply --ascii"})
+  {
+    const std::string arguments(name), file = arguments.substr(0, arguments.find(' '));
+    check_succeeds("out.off " + arguments + " --gradient-weight 0");
+    check_succeeds(file + " back.off --gradient-weight 0");
+    GDP_CHECK(largest_difference(read_off(folder / "back.off"), written) == 0);
+    fs::remove(folder / file);
+  }
+  check_succeeds("out.off a.stl --gradient-weight 0"); // orders the vertices anew
+  check_succeeds("a.stl b.stl --binary --gradient-weight 0");
+  check_succeeds("b.stl back.off --gradient-weight 0");
+  const Mesh back = read_off(folder / "back.off");
+  GDP_CHECK(back.number_of_vertices() == mesh.number_of_vertices() && back.number_of_faces() == mesh.number_of_faces());
+
+  // the output may be the input
+  fs::copy_file(folder / "mesh.off", folder / "same.off");
+  check_succeeds("same.off same.off" + options);
+  GDP_CHECK(contents(folder / "same.off") == contents(folder / "out.off"));
+  for(const char* name : {"same.off", "out.off", "out.ply", "back.off", "a.stl", "b.stl"})
+    fs::remove(folder / name);
+}
+
+void test_properties(const Mesh& mesh)
+{
+  check_succeeds("properties.ply out.ply --ascii --constrain selected --gradient-weight 1e-2");
+  const std::string text = contents(folder / "out.ply");
+  for(const char* line : {"property double x\n", "property float nx\n", "property uchar red\n", "property int selected\n",
+                          "property float quality\n", "property int part\n"})
+    GDP_CHECK(text.find(line) != std::string::npos);
+  const Mesh out = read_ply("out.ply");
+  const auto selected = out.property_map<Mesh::Vertex_index, std::int32_t>("v:selected");
+  const auto quality = out.property_map<Mesh::Vertex_index, float>("v:quality");
+  const auto part = out.property_map<Mesh::Face_index, std::int32_t>("f:part");
+  const auto color = out.property_map<Mesh::Vertex_index, CGAL::IO::Color>("v:color");
+  std::size_t kept = 0, moved = 0;
+  for(auto v : mesh.vertices())
+  {
+    const bool is_selected = mesh.point(v).x() > 0, is_moved = mesh.point(v) != out.point(v);
+    GDP_CHECK(get(selected.first, v) == int(is_selected));
+    GDP_CHECK(get(quality.first, v) == float(std::size_t(v)) / 2);
+    GDP_CHECK(get(color.first, v) == CGAL::IO::Color(std::size_t(v) % 3 == 0 ? 255 : 0, (unsigned char)((std::size_t(v) * 7) % 256), 128));
+    GDP_CHECK(!(is_selected && is_moved)); // to the bit
+    kept += is_selected;
+    moved += is_moved;
+  }
+  for(auto f : mesh.faces())
+    GDP_CHECK(get(part.first, f) == int(std::size_t(f)));
+  GDP_CHECK(kept > 0 && kept + moved == mesh.number_of_vertices());
+
+  // a region moves inside of itself only
+  check_succeeds("properties.ply out.ply --region selected --gradient-weight 1e-2");
+  const Mesh region = read_ply("out.ply");
+  moved = 0;
+  for(auto v : mesh.vertices())
+  {
+    GDP_CHECK(mesh.point(v).x() > 0 || mesh.point(v) == region.point(v));
+    moved += mesh.point(v) != region.point(v);
+  }
+  GDP_CHECK(moved > 0);
+
+  // masks: a constant one is the number itself
+  check_succeeds("properties.ply out.ply --value-weight-property alpha_weight");
+  const Mesh masked = read_ply("out.ply");
+  check_succeeds("properties.ply out.ply");
+  GDP_CHECK(largest_difference(masked, read_ply("out.ply")) > 1e-6);
+
+  // colors are rounded and clamped; the positions stay
+  check_succeeds("properties.ply out.ply --signal color --gradient-scale 6 --gradient-weight 1e-2");
+  const Mesh sharp = read_ply("out.ply");
+  GDP_CHECK(largest_difference(sharp, mesh) == 0);
+  const auto sharp_color = sharp.property_map<Mesh::Vertex_index, CGAL::IO::Color>("v:color");
+  std::size_t clamped = 0;
+  for(auto v : mesh.vertices())
+  {
+    const int red = get(sharp_color.first, v).red();
+    GDP_CHECK(get(sharp_color.first, v).blue() == 128);
+    GDP_CHECK((std::size_t(v) % 3 == 0) == (red > 127)); // wrapped ones would be anywhere
+    clamped += red == 0 || red == 255;
+  }
+  GDP_CHECK(clamped > 0);
+
+  // constant normals stay as they are, without being normalized
+  check_succeeds("properties.ply out.ply --signal normal");
+  const Mesh normals = read_ply("out.ply");
+  const auto normal = normals.property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal");
+  GDP_CHECK(normal.second);
+  for(auto v : mesh.vertices())
+    GDP_CHECK(get(normal.first, v) == Kernel::Vector_3(0, 0.5, 0.25));
+
+  // normals and colors go through the formats that can hold them
+  for(const char* file : {"a.off", "a.obj"})
+  {
+    check_succeeds("properties.ply " + std::string(file) + " --gradient-weight 0");
+    check_succeeds(std::string(file) + " out.ply --signal color --gradient-scale 1");
+    const Mesh back = read_ply("out.ply");
+    const auto back_normal = back.property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal");
+    GDP_CHECK(back_normal.second);
+    for(auto v : back.vertices())
+      GDP_CHECK(get(back_normal.first, v) == Kernel::Vector_3(0, 0.5, 0.25));
+    GDP_CHECK(contents(folder / "out.ply").find("red") != std::string::npos);
+    fs::remove(folder / file);
+  }
+
+  check_succeeds("mesh.off out.ply --signal curvature");
+  GDP_CHECK(contents(folder / "out.ply").find("property double curvature\n") != std::string::npos);
+  fs::remove(folder / "out.ply");
+}
+
+void test_other_operations(const Mesh& mesh)
+{
+  for(const char* options : {"--operation enhance-details", "--operation enhance-details --metric edge-aware", "--signal normal-to-position",
+                             "--metric anisotropic --curvature normals", "--metric preserve-convex --jet-degree 3 --iterations 2",
+                             "--metric preserve-concave", "--curvature-weight 0.1", "--border fixed", "--border along-border",
+                             "--area-normalization off", "--threads 1", "--restore-volume"})
+  {
+    check_succeeds("mesh.off out.ply " + std::string(options));
+    GDP_CHECK(largest_difference(read_ply("out.ply"), mesh) > 1e-9);
+  }
+  write(folder / "quad.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");
+  check_succeeds("quad.off out.ply --triangulate");
+  GDP_CHECK(read_ply("out.ply").number_of_faces() == 2);
+  write(folder / "fan.off", "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 2\n3 0 1 2\n3 1 0 3\n3 0 1 4\n");
+  check_succeeds("fan.off out.ply --repair");
+  GDP_CHECK(read_ply("out.ply").number_of_faces() == 3);
+  write(folder / "strip.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                              "element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n4 0 1 2 3\n");
+  check_succeeds("strip.ply out.ply");
+  GDP_CHECK(read_ply("out.ply").number_of_faces() == 2);
+  for(const char* name : {"quad.off", "fan.off", "strip.ply", "out.ply"})
+    fs::remove(folder / name);
+}
+
+// Just enough of JSON to know that a text is it.
+class Json
+{
+  const std::string& m_text;
+  std::size_t m_at = 0;
+
+public:
+  explicit Json(const std::string& text) : m_text(text) {}
+  bool is_valid() { return value() && (space(), m_at == m_text.size()); }
+
+private:
+  void space() { while(m_at < m_text.size() && std::isspace((unsigned char)m_text[m_at])) ++m_at; }
+  bool take(char c) { space(); return m_at < m_text.size() && m_text[m_at] == c ? (++m_at, true) : false; }
+  bool string()
+  {
+    if(!take('"'))
+      return false;
+    for(; m_at < m_text.size() && m_text[m_at] != '"'; ++m_at)
+    {
+      if((unsigned char)m_text[m_at] < 0x20)
+        return false;
+      if(m_text[m_at] == '\\')
+        ++m_at;
+    }
+    return take('"');
+  }
+  bool value()
+  {
+    space();
+    if(m_text.compare(m_at, 4, "null") == 0)
+      return m_at += 4, true;
+    if(m_at < m_text.size() && m_text[m_at] == '"')
+      return string();
+    if(take('{'))
+    {
+      do
+        if(!string() || !take(':') || !value())
+          return false;
+      while(take(','));
+      return take('}');
+    }
+    char* end = nullptr;
+    const double x = std::strtod(m_text.c_str() + m_at, &end);
+    const bool is_number = end != m_text.c_str() + m_at && std::isfinite(x);
+    m_at = std::size_t(end - m_text.c_str());
+    return is_number;
+  }
+};
+
+void test_report(const Mesh& mesh)
+{
+  check_succeeds("mesh.off 'a\"b.ply' --report report.json --metric edge-aware");
+  const std::string report = contents(folder / "report.json");
+  GDP_CHECK(Json(report).is_valid());
+  for(const char* key : {"vertices", "edges", "faces", "area", "solver", "matrix_non_zeros", "factor_non_zeros", "max_displacement",
+                         "mean_displacement", "seconds", "read", "validate", "curvature", "metric", "analyze", "assemble", "factor", "solve",
+                         "write", "total", "peak_memory_bytes"})
+    GDP_CHECK(report.find("\"" + std::string(key) + "\": ") != std::string::npos);
+  GDP_CHECK(report.find("\"vertices\": " + std::to_string(mesh.number_of_vertices()) + ",") != std::string::npos);
+  GDP_CHECK(report.find("\"faces\": " + std::to_string(mesh.number_of_faces()) + ",") != std::string::npos);
+  fs::remove(folder / "report.json");
+  fs::remove(folder / "a\"b.ply");
+  const Outcome outcome = run("mesh.off out.ply --verbose");
+  GDP_CHECK(outcome.code == 0 && outcome.err.empty());
+  GDP_CHECK(outcome.out.find("wrote out.ply") != std::string::npos);
+  fs::remove(folder / "out.ply");
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  const char* const name = argc > 1 ? argv[1] : std::getenv("GRADIENT_DOMAIN_FILTER");
+  if(!GDP_CHECK(name != nullptr))
+    return GDP_TEST_RESULT();
+  program = fs::absolute(name).string();
+  folder = fs::temp_directory_path() / ("test_filter_program_" + std::to_string(std::random_device()()));
+  fs::create_directory(folder);
+  fs::copy_file("data/ellipsoid.off", folder / "mesh.off");
+  const Mesh mesh = read_off(folder / "mesh.off");
+  write(folder / "properties.ply", ply_with_properties(mesh));
+
+  test_usage();
+  test_bad_files(mesh);
+  test_result(mesh);
+  test_properties(mesh);
+  test_other_operations(mesh);
+  test_report(mesh);
+
+  GDP_CHECK(number_of_files() == 2); // nothing is left behind
+  fs::remove_all(folder);
+  return GDP_TEST_RESULT();
+}
