@@ -14,6 +14,8 @@
 #include "gradient_domain_filter/Stage_clock.h"
 #include "gradient_domain_filter/filter_mesh.h"
 
+#include <CGAL/Gradient_domain_processing/internal/memory_estimate.h>
+
 #include <cmath>
 #include <cstdio>
 #include <exception>
@@ -49,6 +51,10 @@ GDP::Error_code filter_mesh(const Options& options, Mesh_file& file, Stage_clock
     case Solver_kind::EIGEN: return filter_with_eigen(options, file, clock, facts);
 #endif
     case Solver_kind::CG: return filter_with_cg(options, file, clock, facts);
+    case Solver_kind::AUTO:
+      if(!GDP::internal::cholesky_fits(file.mesh.number_of_vertices()))
+        return filter_with_cg(options, file, clock, facts);
+      return filter_with_default(options, file, clock, facts);
     default: return filter_with_default(options, file, clock, facts);
   }
 }

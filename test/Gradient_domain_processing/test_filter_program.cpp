@@ -219,7 +219,7 @@ void test_bad_files(const Mesh& mesh)
   fails("bad.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 2\n3 0 1 2\n3 0 3 4\n", "vertex 0");
   fails("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "line 4");
   fails("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4\n", "line 4");
-  fails("bad.stl", std::string(80, ' ') + "\xff\xff\xff\xff" + std::string(50, ' '), "do not fit");
+  fails("bad.stl", std::string(80, ' ') + "\xff\xff\xff\xff" + std::string(50, ' '), "STL");
 
   const std::string head = "ply\nformat binary_little_endian 1.0\n";
   const std::string xyz = "property float x\nproperty float y\nproperty float z\n";

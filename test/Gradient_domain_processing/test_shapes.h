@@ -259,7 +259,7 @@ inline Vec vec(const Vector& v) { return Vec(v.x(), v.y(), v.z()); }
 
 inline Eigen::MatrixXd positions(const Mesh& mesh)
 {
-  Eigen::MatrixXd result(mesh.number_of_vertices(), 3);
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(mesh.num_vertices(), 3); // removed vertices count
   for(Vertex v : mesh.vertices())
     result.row(v) = vec(mesh.point(v)).transpose();
   return result;

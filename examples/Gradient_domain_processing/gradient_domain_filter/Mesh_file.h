@@ -97,6 +97,9 @@ Polygon_soup parse_obj(const std::string& path, const std::string& text);
 Polygon_soup parse_ply(const std::string& path, const std::string& text);
 Polygon_soup parse_stl(const std::string& path, const std::string& text);
 
+// Colors from 0 to 1, as text formats have them, become those from 0 to 255 that all others expect; not rounded yet.
+void scale_colors_to_bytes(Columns& columns);
+
 // Checks the soup and connects it; consumes it.
 Mesh_file connect(const std::string& path, Polygon_soup& soup, const Read_options& options);
 

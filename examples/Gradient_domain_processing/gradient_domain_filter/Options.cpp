@@ -168,6 +168,11 @@ void check_combination(const po::variables_map& given, const Options& o)
     if(o.output_format != File_format::PLY)
       throw Usage_error("--signal curvature writes PLY only");
   }
+  if(o.operation == Operation::DENOISE)
+    for(const char* option : {"value-weight", "gradient-weight", "gradient-scale", "metric", "curvature-weight", "restore-volume",
+                              "value-weight-property", "gradient-weight-property", "gradient-scale-property"})
+      if(is_given(given, option))
+        throw Usage_error("--" + std::string(option) + " contradicts --operation denoise, which chooses from the data");
   require(given, {"curvature", "jet-degree", "presmoothing-weight"}, has_metric || is_curvature, "a --metric other than embedding");
   if(o.curvature == GDP::Curvature_estimator::NORMALS && is_given(given, "jet-degree"))
     throw Usage_error("--jet-degree contradicts --curvature normals");
@@ -203,8 +208,6 @@ void check_combination(const po::variables_map& given, const Options& o)
   if(o.solver == Solver_kind::CHOLMOD)
     throw Usage_error("--solver cholmod: this program was built without CHOLMOD");
 #endif
-  if(o.operation == Operation::DENOISE)
-    throw Usage_error("--operation denoise is not available yet");
 }
 
 } // namespace

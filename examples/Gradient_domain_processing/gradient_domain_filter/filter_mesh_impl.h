@@ -10,6 +10,7 @@
 #include "Failure.h"
 #include "filter_mesh.h"
 
+#include <CGAL/Gradient_domain_processing/denoise.h>
 #include <CGAL/Gradient_domain_processing/enhance_details.h>
 #include <CGAL/Gradient_domain_processing/estimate_curvatures.h>
 #include <CGAL/Gradient_domain_processing/fit_to_normals.h>
@@ -113,6 +114,15 @@ public:
     const auto at_vertices = [&](const std::string& name, double otherwise) {
       return name.empty() ? std::vector<double>(m_file.mesh.number_of_vertices(), otherwise) : property(o, m_file, name);
     };
+    if(o.operation == Operation::DENOISE)
+      return run_operation(GDP::parameters::sparse_linear_solver(m_solver)
+        .visitor(std::ref(m_clock))
+        .area_normalization(o.area_normalization)
+        .number_of_iterations(o.passes > 0 ? o.passes : -1)
+        .border_condition(o.border)
+        .vertex_is_constrained_map(Vertex_map<char>{&is_constrained}), [this](const auto& np, const auto&... region) {
+          return GDP::denoise(region..., m_file.mesh, np);
+        });
     std::vector<double> alpha = at_vertices(o.value_weight_property, o.value_weight);
     std::vector<double> beta = at_faces(m_file.mesh, at_vertices(o.gradient_weight_property, o.gradient_weight));
     std::vector<double> lambda = at_faces(m_file.mesh, at_vertices(o.gradient_scale_property, o.gradient_scale));
@@ -141,19 +151,21 @@ private:
   template <class NamedParameters>
   Error_code with_normals(const NamedParameters& np)
   {
+    const auto operation = [this](const auto& pack, const auto&... region) { return run_on(pack, region...); };
     if(!m_file.vertex_columns.has_normals())
-      return run_operation(np);
+      return run_operation(np, operation);
     std::vector<Vector> normals = vertex_normals(m_file);
-    return run_operation(np.vertex_normal_map(Vertex_map<Vector>{&normals}));
+    return run_operation(np.vertex_normal_map(Vertex_map<Vector>{&normals}), operation);
   }
 
-  template <class NamedParameters>
-  Error_code run_operation(const NamedParameters& np)
+  // Calls operation(np), or operation(np, region) where there is one.
+  template <class NamedParameters, class Run>
+  Error_code run_operation(const NamedParameters& np, const Run& operation)
   {
     if(m_options.signal == Signal_kind::CURVATURE)
       return write_curvature(np);
     if(m_options.region_property.empty())
-      return run_on(np);
+      return operation(np);
     std::vector<Mesh::Face_index> region;
     const std::vector<double>& selected = property(m_options, m_file, m_options.region_property);
     const Mesh& mesh = m_file.mesh;
@@ -165,7 +177,7 @@ private:
       if(is_inside)
         region.push_back(f);
     }
-    return run_on(np, region);
+    return operation(np, region);
   }
 
   // With a region as last argument or without.

@@ -6,16 +6,18 @@
 
 #include "filter_mesh_impl.h"
 
+#include <CGAL/Gradient_domain_processing/Conjugate_gradient_solver_traits.h>
+
 using CGAL::Gradient_domain_processing::Error_code;
 
-typedef CGAL::Eigen_solver_traits<Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower> > Conjugate_gradients;
+typedef CGAL::Gradient_domain_processing::Conjugate_gradient_solver_traits<> Conjugate_gradients;
 
 Error_code filter_with_cg(const Options& options, Mesh_file& file, Stage_clock& clock, Solver_facts& facts)
 {
   filter_mesh_impl::Filter<Conjugate_gradients> filter(options, file, clock);
   facts.name = "cg";
   const Error_code code = filter.run();
-  if(code == CGAL::Gradient_domain_processing::OK && filter.solver().solver().rows() > 0)
-    facts.iterations = double(filter.solver().solver().iterations());
+  if(code == CGAL::Gradient_domain_processing::OK)
+    facts.iterations = double(filter.solver().iterations());
   return code;
 }

@@ -203,10 +203,11 @@ std::string obj(const Mesh_file& file)
   {
     const Point& p = mesh.point(v);
     out << "v " << p[0] << " " << p[1] << " " << p[2];
-    for(const Column& column : colors) // from 0 to 1 in OBJ
+    for(const Column& column : colors) // from 0 to 1 in OBJ, where they need not be rounded
     {
+      const double x = column.values[std::size_t(v)];
       const double largest = column.type == Number_type::UINT8 ? 255. : column.type == Number_type::UINT16 ? 65535. : 1.;
-      out << " " << in_range(column.values[std::size_t(v)], column.type) / largest;
+      out << " " << (is_integer(column.type) ? (std::min)((std::max)(x, 0.), largest) / largest : x);
     }
     out << "\n";
   }

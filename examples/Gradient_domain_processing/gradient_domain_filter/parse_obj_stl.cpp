@@ -137,6 +137,7 @@ Polygon_soup parse_obj(const std::string& path, const std::string& text)
       for(std::size_t v = 0; v < soup.points.size(); ++v)
         soup.vertex_columns.back().values.push_back(colors[3 * v + i]);
     }
+    scale_colors_to_bytes(soup.vertex_columns);
   }
   if(has_texture)
     soup.notes.push_back("texture coordinates");
@@ -194,7 +195,7 @@ Polygon_soup parse_stl(const std::string& path, const std::string& text)
   if(text.size() >= 84 && (!looks_ascii || text.size() == 84 + 50 * std::size_t(count)))
   {
     if((text.size() - 84) / 50 < count)
-      throw Failure(path, "the header announces " + std::to_string(count) + " triangles, which do not fit into the file");
+      throw Failure(path, "not an STL file, or cut off: " + std::to_string(count) + " triangles are announced");
     for(std::size_t f = 0; f < count; ++f)
     {
       for(int corner = 0; corner < 3; ++corner)

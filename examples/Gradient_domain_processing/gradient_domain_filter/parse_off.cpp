@@ -120,7 +120,9 @@ Polygon_soup parse_off(const std::string& path, const std::string& text)
       has_real_colors = has_real_colors || (i >= first_color && numbers.looks_real[i]);
     }
   }
-  if(!has_real_colors)
+  if(has_real_colors)
+    scale_colors_to_bytes(soup.vertex_columns);
+  else
     for(std::size_t i = first_color; i < number_of_values; ++i)
       soup.vertex_columns[i - 3].type = Number_type::UINT8;
   if(variant.has_texture)

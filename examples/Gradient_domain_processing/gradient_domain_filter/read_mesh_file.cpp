@@ -27,6 +27,24 @@ File_format file_format(const std::string& path)
   throw Usage_error(path + ": unknown extension; known are .off, .obj, .ply and .stl");
 }
 
+void scale_colors_to_bytes(Columns& columns)
+{
+  static const char* const names[] = {"red", "green", "blue", "alpha"};
+  double largest = 0;
+  for(const char* name : names)
+    if(const Column* column = columns.find(name))
+      for(double x : column->values)
+        largest = (std::max)(largest, x);
+  for(const char* name : names)
+    if(Column* column = columns.find(name))
+    {
+      column->type = Number_type::UINT8;
+      if(largest <= 1)
+        for(double& x : column->values)
+          x *= 255;
+    }
+}
+
 namespace {
 
 std::string read_all(const std::string& path)

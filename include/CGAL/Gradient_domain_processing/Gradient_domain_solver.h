@@ -20,6 +20,7 @@
 
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <type_traits>
@@ -669,24 +670,27 @@ private:
       return ERROR_INVALID_WEIGHT;
 
     if constexpr (internal::Has_parameter<vertex_value_weight_map_t, NamedParameters>::value)
-      if(!read_numbers(internal::parameter(np, vertex_value_weight_map, 0), m_elements.vertices, true, weights.value_at_vertex))
+      if(!read_numbers(internal::parameter(np, vertex_value_weight_map, 0), m_elements.vertices, true, weights.value, weights.value_at_vertex))
         return ERROR_INVALID_WEIGHT;
     if constexpr (internal::Has_parameter<face_gradient_weight_map_t, NamedParameters>::value)
     {
-      if(!read_numbers(internal::parameter(np, face_gradient_weight_map, 0), m_elements.faces, true, weights.gradient_at_face))
+      double same = beta;
+      if(!read_numbers(internal::parameter(np, face_gradient_weight_map, 0), m_elements.faces, true, same, weights.gradient_at_face))
         return ERROR_INVALID_WEIGHT;
+      weights.gradient = same * m_squared_length_unit;
       for(double& w : weights.gradient_at_face)
         w *= m_squared_length_unit;
     }
     if constexpr (internal::Has_parameter<face_gradient_scale_map_t, NamedParameters>::value)
-      if(!read_numbers(internal::parameter(np, face_gradient_scale_map, 0), m_elements.faces, false, weights.scale_at_face))
+      if(!read_numbers(internal::parameter(np, face_gradient_scale_map, 0), m_elements.faces, false, weights.scale, weights.scale_at_face))
         return ERROR_INVALID_WEIGHT;
     m_system.set_weights(weights);
     return OK;
   }
 
+  // Numbers that are all the same make `same`, and none of their own: that is what costs least.
   template <class Map, class Elements>
-  static bool read_numbers(Map map, const Elements& elements, bool non_negative, std::vector<double>& numbers)
+  static bool read_numbers(Map map, const Elements& elements, bool non_negative, double& same, std::vector<double>& numbers)
   {
     numbers.reserve(elements.size());
     for(auto element : elements)
@@ -694,6 +698,12 @@ private:
       numbers.push_back(CGAL::to_double(get(map, element)));
       if(!std::isfinite(numbers.back()) || (non_negative && numbers.back() < 0))
         return false;
+    }
+    if(std::equal(numbers.begin() + !numbers.empty(), numbers.end(), numbers.begin()))
+    {
+      if(!numbers.empty())
+        same = numbers.front();
+      numbers = std::vector<double>();
     }
     return true;
   }

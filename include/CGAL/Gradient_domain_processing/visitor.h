@@ -23,7 +23,7 @@ namespace Gradient_domain_processing {
 enum class Stage
 {
   READ,      ///< Copying mesh and signal into arrays, and checking them.
-  CURVATURE, ///< Presmoothing and estimating curvatures.
+  CURVATURE, ///< Estimating curvatures. The presmoothing before it has its own stages from `ANALYZE` to `SOLVE`.
   METRIC,    ///< Building the metric of every face.
   ANALYZE,   ///< Ordering the unknowns, sparsity pattern and symbolic factorization.
   ASSEMBLE,  ///< Filling the matrix.

@@ -32,8 +32,8 @@ namespace Gradient_domain_processing {
 namespace internal {
 
 // A fill-reducing order: a few vertices, the separator, part a domain in two; they are eliminated after both halves,
-// which are ordered in the same way. A plane chosen from a few directions says where to cut, a maximum flow in a band around
-// it how. The graph may be any; the points only help to cut it well.
+// which are ordered in the same way. A plane, the best of a few, says where to cut; a maximum flow in a band around it
+// says how. The graph may be any; the points only help to cut it well.
 class Nested_dissection
 {
 public:
@@ -52,7 +52,7 @@ public:
     std::iota(m_order.begin(), m_order.end(), 0);
     Workspace workspace(m_order.size());
     dissect(put_hubs_last(), number_of_parallel_levels, workspace);
-    for (int& v : m_order) v = m_original[v];
+    for(int& v : m_order) v = m_original[v];
     return std::move(m_order);
   }
 
@@ -99,29 +99,29 @@ private:
   {
     const std::size_t n = points.size();
     std::vector<int> rank(n);
-    for (std::size_t i = 0; i < n; ++i) rank[m_original[i]] = int(i);
+    for(std::size_t i = 0; i < n; ++i) rank[m_original[i]] = int(i);
     m_points.reserve(n);
     m_offsets.reserve(n + 1);
     m_offsets.push_back(0);
     m_neighbors.reserve(neighbors.size());
-    for (int v : m_original) {
+    for(int v : m_original) {
       m_points.push_back(points[v]);
-      for (int j = offsets[v]; j < offsets[v + 1]; ++j) m_neighbors.push_back(rank[neighbors[j]]);
+      for(int j = offsets[v]; j < offsets[v + 1]; ++j) m_neighbors.push_back(rank[neighbors[j]]);
       m_offsets.push_back(int(m_neighbors.size()));
     }
   }
 
   void dissect(Domain domain, int number_of_parallel_levels, Workspace& workspace)
   {
-    if (domain.size() <= Leaf_elimination::max_number_of_interior_vertices) {
+    if(domain.size() <= Leaf_elimination::max_number_of_interior_vertices) {
       order_leaf(domain, workspace);
       return;
     }
     choose_sides(domain, workspace);
     const auto [left, right] = partition(domain, workspace);
-    if (std::max(left.size(), right.size()) == domain.size()) return;  // nearly complete: no order is better
+    if(std::max(left.size(), right.size()) == domain.size()) return;  // nearly complete: no order is better
 
-    if (number_of_parallel_levels == 0) {
+    if(number_of_parallel_levels == 0) {
       dissect(left, 0, workspace);
       dissect(right, 0, workspace);
       return;
@@ -140,7 +140,7 @@ private:
     const double many = 100 + 10 * std::sqrt(double(m_order.size()));
     const auto is_hub = [&](int v) { return m_offsets[v + 1] - m_offsets[v] > many; };
     const auto hubs = std::stable_partition(m_order.begin(), m_order.end(), [&](int v) { return !is_hub(v); });
-    for (auto hub = hubs; hub != m_order.end(); ++hub) m_domain[*hub] = separated;
+    for(auto hub = hubs; hub != m_order.end(); ++hub) m_domain[*hub] = separated;
     return { 0, int(hubs - m_order.begin()) };
   }
 
@@ -149,8 +149,8 @@ private:
   template <typename Visitor>
   void for_each_neighbor(int v, Domain domain, const Visitor& visit) const
   {
-    for (int j = m_offsets[v]; j < m_offsets[v + 1]; ++j)
-      if (is_inside(m_neighbors[j], domain)) visit(m_neighbors[j]);
+    for(int j = m_offsets[v]; j < m_offsets[v + 1]; ++j)
+      if(is_inside(m_neighbors[j], domain)) visit(m_neighbors[j]);
   }
 
   void choose_sides(Domain domain, Workspace& workspace)
@@ -167,19 +167,19 @@ private:
     const std::vector<Eigen::Vector3d> directions = candidate_directions(domain, scatter);
     Cut best = no_cut();
     std::size_t best_direction = 0;
-    for (std::size_t k = 0; k < directions.size(); ++k) {
+    for(std::size_t k = 0; k < directions.size(); ++k) {
       assign_slabs(domain, scatter, directions[k]);
       const Cut cut = sweep(domain, workspace);
-      if (cut.cost >= best.cost) continue;
+      if(cut.cost >= best.cost) continue;
       best = cut;
       best_direction = k;
     }
-    if (best.cost > usual_cost(domain)) {  // the points say little about the graph
+    if(best.cost > usual_cost(domain)) {  // the points say little about the graph
       assign_slabs_breadth_first(domain, workspace);
       const Cut cut = sweep(domain, workspace);
-      if (cut.cost <= best.cost) return cut;
+      if(cut.cost <= best.cost) return cut;
       assign_slabs(domain, scatter, directions[best_direction]);
-    } else if (best_direction + 1 < directions.size()) {
+    } else if(best_direction + 1 < directions.size()) {
       assign_slabs(domain, scatter, directions[best_direction]);
     }
     return best;
@@ -195,7 +195,7 @@ private:
     const Eigen::Vector3d origin = m_points[m_order[domain.begin]];
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-    for (int i = domain.begin; i < domain.end; ++i) {
+    for(int i = domain.begin; i < domain.end; ++i) {
       const Eigen::Vector3d d = m_points[m_order[i]] - origin;
       mean += d;
       covariance.noalias() += d * d.transpose();
@@ -211,7 +211,7 @@ private:
     constexpr int worth_a_choice = 2000;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter.covariance);
     const Eigen::Vector3d first = solver.eigenvectors().col(2), second = solver.eigenvectors().col(1);
-    if (domain.size() < worth_a_choice) return { first };
+    if(domain.size() < worth_a_choice) return { first };
     return { (first + second).normalized(), (first - second).normalized(), second, first };
   }
 
@@ -221,7 +221,7 @@ private:
     constexpr double reach = 1.4;
     const double deviation = std::sqrt(std::max(0., direction.dot(scatter.covariance * direction)));
     const double scale = deviation > 0 ? number_of_slabs / (2 * reach * deviation) : 0.;
-    for (int i = domain.begin; i < domain.end; ++i) {
+    for(int i = domain.begin; i < domain.end; ++i) {
       const int v = m_order[i];
       const double t = (m_points[v] - scatter.mean).dot(direction) * scale + number_of_slabs / 2;
       m_slab[v] = int(std::min(std::max(t, 0.), number_of_slabs - 1.));
@@ -233,7 +233,7 @@ private:
   {
     search_breadth_first(domain, m_order[domain.begin], workspace.queue);
     search_breadth_first(domain, workspace.queue.back(), workspace.queue);
-    for (std::size_t k = 0; k < workspace.queue.size(); ++k)
+    for(std::size_t k = 0; k < workspace.queue.size(); ++k)
       m_slab[workspace.queue[k]] = int(k * number_of_slabs / workspace.queue.size());
   }
 
@@ -241,17 +241,17 @@ private:
   {
     queue.clear();
     const auto reach = [&](int v) {
-      if (m_slot[v] != outside) return;
+      if(m_slot[v] != outside) return;
       m_slot[v] = int(queue.size());
       queue.push_back(v);
     };
     std::size_t head = 0;
     const auto spread_from = [&](int seed) {
-      for (reach(seed); head < queue.size(); ++head) for_each_neighbor(queue[head], domain, reach);
+      for(reach(seed); head < queue.size(); ++head) for_each_neighbor(queue[head], domain, reach);
     };
     spread_from(start);
-    for (int i = domain.begin; i < domain.end; ++i) spread_from(m_order[i]);
-    for (int v : queue) m_slot[v] = outside;
+    for(int i = domain.begin; i < domain.end; ++i) spread_from(m_order[i]);
+    for(int v : queue) m_slot[v] = outside;
   }
 
   // Counts, for the cut below each slab, the vertices left of it with a neighbour right of it: all cuts in one pass.
@@ -263,7 +263,7 @@ private:
     crossing.fill(0);
     const int stride = sweep_stride(domain);
     int total = 0;
-    for (int i = domain.begin; i < domain.end; i += stride, ++total) {
+    for(int i = domain.begin; i < domain.end; i += stride, ++total) {
       const int v = m_order[i];
       int highest = m_slab[v];
       for_each_neighbor(v, domain, [&](int u) { highest = std::max(highest, m_slab[u]); });
@@ -286,13 +286,13 @@ private:
     constexpr double price_of_imbalance = 4;
     Cut best = no_cut();
     int below = 0, separating = 0;
-    for (int slab = 1; slab < number_of_slabs; ++slab) {
+    for(int slab = 1; slab < number_of_slabs; ++slab) {
       below += population[slab];
       separating += crossing[slab];
       const double imbalance = double(below) / total - 0.5;
-      if (std::abs(imbalance) > max_imbalance) continue;
+      if(std::abs(imbalance) > max_imbalance) continue;
       const double cost = separating * (1 + price_of_imbalance * imbalance * imbalance);
-      if (cost < best.cost) best = { cost, slab };
+      if(cost < best.cost) best = { cost, slab };
     }
     return best;
   }
@@ -308,19 +308,19 @@ private:
     };
     band.clear();
     int number_of_left = 0;
-    for (int i = domain.begin; i < domain.end; ++i) {
+    for(int i = domain.begin; i < domain.end; ++i) {
       const int v = m_order[i];
       number_of_left += is_left(v);
       bool crosses = false;
       for_each_neighbor(v, domain, [&](int u) { crosses |= is_left(u) != is_left(v); });
-      if (crosses) add(v);
+      if(crosses) add(v);
     }
 
     int room[2] = { room_in_band(domain, domain.size() - number_of_left), room_in_band(domain, number_of_left) };
-    for (int v : band) --room[is_left(v)];
-    for (std::size_t head = 0; head < band.size(); ++head)
+    for(int v : band) --room[is_left(v)];
+    for(std::size_t head = 0; head < band.size(); ++head)
       for_each_neighbor(band[head], domain, [&](int u) {
-        if (m_slot[u] == outside && room[is_left(u)]-- > 0) add(u);
+        if(m_slot[u] == outside && room[is_left(u)]-- > 0) add(u);
       });
   }
 
@@ -336,19 +336,19 @@ private:
   {
     Minimum_vertex_separator& separator = workspace.separator;
     separator.clear();
-    for (int v : workspace.queue) {
+    for(int v : workspace.queue) {
       bool touches_left = false, touches_right = false;
       for_each_neighbor(v, domain, [&](int u) {
-        if (m_slot[u] != outside) separator.add_neighbor(m_slot[u]);
+        if(m_slot[u] != outside) separator.add_neighbor(m_slot[u]);
         else (m_slab[u] < cut.slab ? touches_left : touches_right) = true;
       });
       separator.close_vertex(touches_left, touches_right);
     }
     separator.compute();
 
-    for (int i = domain.begin; i < domain.end; ++i) {
+    for(int i = domain.begin; i < domain.end; ++i) {
       const int v = m_order[i];
-      if (m_slot[v] != outside) m_slab[v] = int(separator.side(m_slot[v]));
+      if(m_slot[v] != outside) m_slab[v] = int(separator.side(m_slot[v]));
       else m_slab[v] = int(m_slab[v] < cut.slab ? Side::source : Side::sink);
       m_slot[v] = outside;
     }
@@ -360,9 +360,9 @@ private:
     workspace.right.clear();
     workspace.between.clear();
     int end = domain.begin;
-    for (int i = domain.begin; i < domain.end; ++i) {
+    for(int i = domain.begin; i < domain.end; ++i) {
       const int v = m_order[i];
-      switch (Side(m_slab[v])) {
+      switch(Side(m_slab[v])) {
         case Side::source: m_order[end++] = v; break;
         case Side::sink: workspace.right.push_back(v); break;
         case Side::separator: workspace.between.push_back(v); break;
@@ -371,8 +371,8 @@ private:
     const Domain left{ domain.begin, end }, right{ end, end + int(workspace.right.size()) };
     std::copy(workspace.right.begin(), workspace.right.end(), m_order.begin() + right.begin);
     std::copy(workspace.between.begin(), workspace.between.end(), m_order.begin() + right.end);
-    for (int v : workspace.right) m_domain[v] = right.begin;
-    for (int v : workspace.between) m_domain[v] = separated;
+    for(int v : workspace.right) m_domain[v] = right.begin;
+    for(int v : workspace.between) m_domain[v] = separated;
     return { left, right };
   }
 
@@ -382,27 +382,27 @@ private:
     std::vector<int>& boundary = workspace.between;
     interior.assign(m_order.begin() + domain.begin, m_order.begin() + domain.end);
     boundary.clear();
-    for (int k = 0; k < domain.size(); ++k) m_slot[interior[k]] = k;
+    for(int k = 0; k < domain.size(); ++k) m_slot[interior[k]] = k;
 
     workspace.leaf.reset(domain.size());
-    for (int k = 0; k < domain.size(); ++k)
-      for (int j = m_offsets[interior[k]]; j < m_offsets[interior[k] + 1]; ++j) {
+    for(int k = 0; k < domain.size(); ++k)
+      for(int j = m_offsets[interior[k]]; j < m_offsets[interior[k] + 1]; ++j) {
         const int u = m_neighbors[j];
-        if (is_inside(u, domain)) {
+        if(is_inside(u, domain)) {
           workspace.leaf.connect(k, m_slot[u]);
           continue;
         }
         int& slot = workspace.boundary_slot[u];
-        if (slot == outside) {
+        if(slot == outside) {
           slot = domain.size() + int(boundary.size());
           boundary.push_back(u);
         }
         workspace.leaf.connect(k, slot);
       }
-    for (int u : boundary) workspace.boundary_slot[u] = outside;
+    for(int u : boundary) workspace.boundary_slot[u] = outside;
 
     int end = domain.begin;
-    for (int k : workspace.leaf.compute()) m_order[end++] = interior[k];
+    for(int k : workspace.leaf.compute()) m_order[end++] = interior[k];
   }
 
   std::vector<int> m_original;  // the vertices are renumbered along a Morton curve
@@ -415,8 +415,8 @@ private:
   std::vector<int> m_slot;    // by vertex: place in the band or leaf at work, or `outside`
 };
 
-// The order in which to eliminate the vertices of a graph (in compressed rows: symmetric, no loops) so that its Cholesky
-// factor stays sparse: vertex order[k] is the k-th. The same on every run and for either tag.
+// The order in which to eliminate the vertices of a graph so that its Cholesky factor stays sparse: order[k] is the
+// k-th. The graph comes in compressed rows, symmetric and without loops. Same result on every run and for either tag.
 template <typename Concurrency_tag = Sequential_tag>
 std::vector<int> nested_dissection(const std::vector<Eigen::Vector3d>& points, const std::vector<int>& offsets,
                                    const std::vector<int>& neighbors)

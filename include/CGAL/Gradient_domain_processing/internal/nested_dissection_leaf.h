@@ -27,10 +27,10 @@ public:
     m_rows.assign(number_of_interior_vertices, Row());
   }
 
-  // Boundary vertices are numbered after the interior ones. A leaf with more of them than fit is ordered without the rest.
+  // Boundary vertices are numbered after the interior ones; those too many to fit are left out of the degrees.
   void connect(int interior, int other)
   {
-    if (other < max_number_of_vertices) m_rows[interior].set(other);
+    if(other < max_number_of_vertices) m_rows[interior].set(other);
   }
 
   // Elimination order of the interior vertices.
@@ -39,8 +39,8 @@ public:
     const int n = int(m_rows.size());
     m_order.clear();
     m_degrees.resize(n);
-    for (int v = 0; v < n; ++v) m_degrees[v] = int(m_rows[v].count());
-    while (int(m_order.size()) < n) eliminate(vertex_of_minimum_degree());
+    for(int v = 0; v < n; ++v) m_degrees[v] = int(m_rows[v].count());
+    while(int(m_order.size()) < n) eliminate(vertex_of_minimum_degree());
     return m_order;
   }
 
@@ -51,8 +51,8 @@ private:
   int vertex_of_minimum_degree() const
   {
     int best = 0;
-    for (int v = 1; v < int(m_degrees.size()); ++v)
-      if (m_degrees[v] < m_degrees[best]) best = v;
+    for(int v = 1; v < int(m_degrees.size()); ++v)
+      if(m_degrees[v] < m_degrees[best]) best = v;
     return best;
   }
 
@@ -62,8 +62,8 @@ private:
     const Row clique = m_rows[v];
     m_order.push_back(v);
     m_degrees[v] = eliminated;
-    for (int u = 0; u < int(m_rows.size()); ++u) {
-      if (!clique[u]) continue;
+    for(int u = 0; u < int(m_rows.size()); ++u) {
+      if(!clique[u]) continue;
       m_rows[u] |= clique;
       m_rows[u].reset(u).reset(v);
       m_degrees[u] = int(m_rows[u].count());

@@ -32,13 +32,13 @@ inline std::vector<std::uint32_t> morton_keys(const std::vector<Eigen::Vector3d>
 {
   constexpr int cells_per_axis = 1024;
   Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& p : points) box.extend(p);
+  for(const Eigen::Vector3d& p : points) box.extend(p);
   const double extent = points.empty() ? 0. : box.sizes().maxCoeff();
   const double scale = extent > 0 ? (cells_per_axis - 1) / extent : 0.;
 
   std::vector<std::uint32_t> keys;
   keys.reserve(points.size());
-  for (const Eigen::Vector3d& p : points) {
+  for(const Eigen::Vector3d& p : points) {
     const Eigen::Matrix<std::uint32_t, 3, 1> cell = ((p - box.min()) * scale).cast<std::uint32_t>();
     keys.push_back(spread_bits(cell.x()) | spread_bits(cell.y()) << 1 | spread_bits(cell.z()) << 2);
   }
@@ -52,12 +52,12 @@ inline std::vector<int> morton_order(const std::vector<Eigen::Vector3d>& points)
   const std::vector<std::uint32_t> keys = morton_keys(points);
   std::vector<int> order(points.size()), sorted(points.size());
   std::iota(order.begin(), order.end(), 0);
-  for (int shift = 0; shift < 30; shift += 10) {
+  for(int shift = 0; shift < 30; shift += 10) {
     const auto digit = [&](int i) { return (keys[i] >> shift) % radix; };
     std::vector<int> position(radix + 1, 0);
-    for (int i : order) ++position[digit(i) + 1];
+    for(int i : order) ++position[digit(i) + 1];
     std::partial_sum(position.begin(), position.end(), position.begin());
-    for (int i : order) sorted[position[digit(i)]++] = i;
+    for(int i : order) sorted[position[digit(i)]++] = i;
     order.swap(sorted);
   }
   return order;

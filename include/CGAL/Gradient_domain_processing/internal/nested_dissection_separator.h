@@ -48,15 +48,15 @@ public:
     m_previous.assign(size(), none);
     m_next.assign(size(), none);
     m_seen.assign(2 * std::size_t(size()), false);
-    for (int v = 0; v < size(); ++v)
-      if (m_touches_source[v] && !m_seen[entered(v)])
+    for(int v = 0; v < size(); ++v)
+      if(m_touches_source[v] && !m_seen[entered(v)])
         grow_path(v);
   }
 
   // Of all smallest separators, compute() finds the one closest to the source.
   Side side(int v) const
   {
-    if (m_seen[left(v)]) return Side::source;
+    if(m_seen[left(v)]) return Side::source;
     return m_seen[entered(v)] || m_touches_source[v] ? Side::separator : Side::sink;
   }
 
@@ -77,22 +77,22 @@ private:
   {
     m_distance.assign(size(), size());
     m_queue.clear();
-    for (int v = 0; v < size(); ++v)
-      if (m_touches_sink[v]) {
+    for(int v = 0; v < size(); ++v)
+      if(m_touches_sink[v]) {
         m_distance[v] = 0;
         m_queue.push_back(v);
       }
-    for (std::size_t head = 0; head < m_queue.size(); ++head) {
+    for(std::size_t head = 0; head < m_queue.size(); ++head) {
       const int v = m_queue[head];
-      for (int i = m_offsets[v]; i < m_offsets[v + 1]; ++i) {
+      for(int i = m_offsets[v]; i < m_offsets[v + 1]; ++i) {
         const int w = m_neighbors[i];
-        if (m_distance[w] < size()) continue;
+        if(m_distance[w] < size()) continue;
         m_distance[w] = m_distance[v] + 1;
         m_queue.push_back(w);
       }
     }
     const auto is_closer = [this](int v, int w) { return m_distance[v] < m_distance[w]; };
-    for (int v = 0; v < size(); ++v)
+    for(int v = 0; v < size(); ++v)
       std::sort(m_neighbors.begin() + m_offsets[v], m_neighbors.begin() + m_offsets[v + 1], is_closer);
   }
 
@@ -100,11 +100,11 @@ private:
   int advance(Step& last) const
   {
     const int v = vertex(last.state);
-    if (!is_left(last.state)) return last.arc++ == 0 ? unseen(after_entering(v)) : none;
+    if(!is_left(last.state)) return last.arc++ == 0 ? unseen(after_entering(v)) : none;
     const int degree = m_offsets[v + 1] - m_offsets[v];
-    while (last.arc < degree) {
+    while(last.arc < degree) {
       const int w = m_neighbors[m_offsets[v] + last.arc++];
-      if (w != m_next[v] && !m_seen[entered(w)]) return entered(w);
+      if(w != m_next[v] && !m_seen[entered(w)]) return entered(w);
     }
     return last.arc++ == degree && is_on_path(v) ? unseen(entered(v)) : none;
   }
@@ -115,7 +115,7 @@ private:
   // One who enters a vertex in use takes over the rest of its path; the vertex before must leave for elsewhere.
   int after_entering(int v) const
   {
-    if (!is_on_path(v)) return left(v);
+    if(!is_on_path(v)) return left(v);
     return m_previous[v] != terminal ? left(m_previous[v]) : none;
   }
 
@@ -126,15 +126,15 @@ private:
     m_path.clear();
     m_visited.clear();
     visit(entered(start));
-    while (!m_path.empty()) {
+    while(!m_path.empty()) {
       Step& last = m_path.back();
-      if (is_left(last.state) && m_touches_sink[vertex(last.state)]) {
+      if(is_left(last.state) && m_touches_sink[vertex(last.state)]) {
         augment();
-        for (int state : m_visited) m_seen[state] = false;
+        for(int state : m_visited) m_seen[state] = false;
         return;
       }
       const int next = advance(last);
-      if (next != none) visit(next);
+      if(next != none) visit(next);
       else m_path.pop_back();
     }
   }
@@ -149,11 +149,11 @@ private:
   void augment()
   {
     m_previous[vertex(m_path.front().state)] = terminal;
-    for (std::size_t i = 1; i < m_path.size(); ++i) {
+    for(std::size_t i = 1; i < m_path.size(); ++i) {
       const int from = m_path[i - 1].state, to = m_path[i].state;
       const int v = vertex(from), w = vertex(to);
-      if (!is_left(from)) continue;
-      if (v == w) {
+      if(!is_left(from)) continue;
+      if(v == w) {
         m_previous[v] = m_next[v] = none;
       } else {
         m_next[v] = w;

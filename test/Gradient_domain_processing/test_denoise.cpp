@@ -1,0 +1,216 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// denoise() on synthetic pairs with bounds, what it must not move, and process_face_signal() against a dense solution.
+
+#include "test_shapes.h"
+#include "test_utils.h"
+
+#include <CGAL/Gradient_domain_processing/denoise.h>
+#include <CGAL/Gradient_domain_processing/process_face_signal.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace GDP = CGAL::Gradient_domain_processing;
+using namespace gdp_test;
+
+namespace {
+
+double mean_edge_length(const Mesh& mesh)
+{
+  double sum = 0;
+  for(auto e : mesh.edges())
+    sum += (vec(mesh.point(mesh.vertex(e, 0))) - vec(mesh.point(mesh.vertex(e, 1)))).norm();
+  return sum / double(mesh.number_of_edges());
+}
+
+// Gaussian, along the normals, in mean edge lengths.
+void add_noise(Mesh& mesh, double amount)
+{
+  std::vector<Vec> normals(mesh.number_of_vertices(), Vec(0, 0, 0));
+  for(Face f : mesh.faces())
+    for(Vertex v : corners(mesh, f))
+      normals[v] += area_vector(mesh, f);
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise(0, amount * mean_edge_length(mesh));
+  for(Vertex v : mesh.vertices())
+  {
+    const Vec p = vec(mesh.point(v)) + noise(random) * normals[v].normalized();
+    mesh.point(v) = Point(p[0], p[1], p[2]);
+  }
+}
+
+double mean_normal_angle(const Mesh& a, const Mesh& b) // in degrees
+{
+  double sum = 0;
+  for(Face f : a.faces())
+  {
+    const Vec m = area_vector(a, f).normalized(), n = area_vector(b, f).normalized();
+    sum += std::atan2(m.cross(n).norm(), m.dot(n));
+  }
+  return sum / double(a.number_of_faces()) * 180 / pi;
+}
+
+void removes_noise(const Shape& shape, double noise, double bound)
+{
+  const Mesh clean = mesh_of(shape);
+  Mesh mesh = clean;
+  add_noise(mesh, noise);
+  const double before = mean_normal_angle(clean, mesh);
+  const double edge = mean_edge_length(clean);
+  const Mesh noisy = mesh;
+  GDP_CHECK(GDP::denoise(mesh) == GDP::OK);
+  const double after = mean_normal_angle(clean, mesh);
+  std::cout << "noise " << before << " degrees, denoised " << after << std::endl;
+  GDP_CHECK(before > 15);
+  GDP_CHECK(after < bound);
+  double shift = 0;
+  for(Vertex v : mesh.vertices())
+    shift += (vec(mesh.point(v)) - vec(clean.point(v))).norm() / edge / double(mesh.number_of_vertices());
+  GDP_CHECK(shift < 0.25);
+}
+
+void keeps_what_it_must()
+{
+  // a clean mesh is returned to the bit
+  const Mesh box = mesh_of(cubes({{{0, 0, 0}}, {{1, 0, 0}}}, 8));
+  Mesh mesh = box;
+  GDP_CHECK(GDP::denoise(mesh) == GDP::OK);
+  GDP_CHECK(same_points(mesh, box));
+
+  Mesh noisy = box;
+  add_noise(noisy, 0.3);
+  mesh = noisy;
+  auto is_fixed = mesh.add_property_map<Vertex, bool>("v:fixed", false).first;
+  for(Vertex v : mesh.vertices())
+    is_fixed[v] = int(v) % 5 == 0;
+  GDP_CHECK(GDP::denoise(mesh, GDP::parameters::vertex_is_constrained_map(is_fixed)) == GDP::OK);
+  int moved = 0;
+  for(Vertex v : mesh.vertices())
+  {
+    GDP_CHECK(!is_fixed[v] || same_bits(mesh.point(v), noisy.point(v)));
+    moved += !same_bits(mesh.point(v), noisy.point(v));
+  }
+  GDP_CHECK(moved > 0);
+
+  mesh = noisy;
+  std::vector<Face> region;
+  for(Face f : mesh.faces())
+    if(int(f) < int(mesh.number_of_faces()) / 3)
+      region.push_back(f);
+  GDP_CHECK(GDP::denoise(region, mesh) == GDP::OK);
+  std::vector<char> may_move(mesh.number_of_vertices(), 0);
+  for(Face f : region)
+    for(Vertex v : corners(mesh, f))
+      may_move[v] = 1;
+  for(Face f : mesh.faces())
+    if(std::find(region.begin(), region.end(), f) == region.end())
+      for(Vertex v : corners(mesh, f))
+        may_move[v] = 0;
+  moved = 0;
+  for(Vertex v : mesh.vertices())
+  {
+    GDP_CHECK(may_move[v] || same_bits(mesh.point(v), noisy.point(v)));
+    moved += !same_bits(mesh.point(v), noisy.point(v));
+  }
+  GDP_CHECK(moved > 0);
+
+  // nothing moves where a parameter is out of its range
+  mesh = noisy;
+  GDP_CHECK(GDP::denoise(mesh, GDP::parameters::normal_similarity_min(-1.)) == GDP::ERROR_INVALID_PARAMETER);
+  GDP_CHECK(same_points(mesh, noisy));
+}
+
+void stays_finite()
+{
+  Mesh mesh = mesh_of(jittered_square(14));
+  add_noise(mesh, 0.3);
+  // a face of zero area, and a vertex without a face
+  const Face f = *mesh.faces().begin();
+  const auto t = corners(mesh, f);
+  mesh.point(t[0]) = mesh.point(t[1]);
+  mesh.add_vertex(Point(3, 3, 3));
+  GDP_CHECK(GDP::denoise(mesh, GDP::parameters::number_of_iterations(50)) == GDP::OK);
+  GDP_CHECK(is_finite(mesh));
+}
+
+// (alpha A + beta L) g = (alpha A + lambda beta L) f with dense matrices.
+void solves_face_signals()
+{
+  Mesh mesh = mesh_of(jittered_square(5));
+  const int n = int(mesh.number_of_faces());
+  auto signal = mesh.add_property_map<Face, double>("f:signal").first;
+  auto result = mesh.add_property_map<Face, double>("f:result").first;
+  auto weight = mesh.add_property_map<Mesh::Edge_index, double>("e:weight").first;
+  for(Face f : mesh.faces())
+    signal[f] = std::sin(3. * int(f));
+  for(auto e : mesh.edges())
+    weight[e] = 0.5 + int(e) % 3;
+
+  const double alpha = 2, beta = 0.01, lambda = 1.5;
+  Eigen::MatrixXd masses = Eigen::MatrixXd::Zero(n, n), laplacian = masses;
+  for(Face f : mesh.faces())
+    masses(int(f), int(f)) = area_vector(mesh, f).norm();
+  const double scale = masses(0, 0) / (std::sqrt(CGAL::squared_area(mesh.point(corners(mesh, Face(0))[0]),
+                                                                   mesh.point(corners(mesh, Face(0))[1]),
+                                                                   mesh.point(corners(mesh, Face(0))[2]))));
+  masses /= scale; // area_vector() may be of twice the area
+  for(auto e : mesh.edges())
+    if(!mesh.is_border(e))
+    {
+      const int a = int(mesh.face(mesh.halfedge(e))), b = int(mesh.face(mesh.opposite(mesh.halfedge(e))));
+      laplacian(a, a) += weight[e];
+      laplacian(b, b) += weight[e];
+      laplacian(a, b) -= weight[e];
+      laplacian(b, a) -= weight[e];
+    }
+  Eigen::VectorXd f(n);
+  for(Face face : mesh.faces())
+    f[int(face)] = signal[face];
+  const Eigen::VectorXd expected
+    = (alpha * masses + beta * laplacian).ldlt().solve((alpha * masses + lambda * beta * laplacian) * f);
+
+  GDP_CHECK(GDP::process_face_signal(mesh, signal, result,
+    GDP::parameters::value_weight(alpha).gradient_weight(beta).gradient_scale(lambda)
+      .interior_edge_weight_map(weight).area_normalization(false)) == GDP::OK);
+  double before = 0, after = 0;
+  for(Face face : mesh.faces())
+  {
+    GDP_CHECK_NEAR(result[face], expected[int(face)], 1e-12);
+    before += masses(int(face), int(face)) * signal[face];
+    after += masses(int(face), int(face)) * result[face];
+  }
+  GDP_CHECK_NEAR(before, after, 1e-12);
+
+  // in and out may be the same; lambda = 1 changes nothing
+  auto copy = mesh.add_property_map<Face, double>("f:copy").first;
+  for(Face face : mesh.faces())
+    copy[face] = signal[face];
+  GDP_CHECK(GDP::process_face_signal(mesh, copy, copy, GDP::parameters::gradient_scale(1)) == GDP::OK);
+  for(Face face : mesh.faces())
+    GDP_CHECK(same_bits(copy[face], signal[face]));
+
+  for(auto e : mesh.edges())
+    weight[e] = -1;
+  GDP_CHECK(GDP::process_face_signal(mesh, copy, copy, GDP::parameters::interior_edge_weight_map(weight)) == GDP::ERROR_INVALID_WEIGHT);
+  signal[Face(0)] = std::numeric_limits<double>::quiet_NaN();
+  GDP_CHECK(GDP::process_face_signal(mesh, signal, copy) == GDP::ERROR_INVALID_SIGNAL);
+}
+
+} // namespace
+
+int main()
+{
+  removes_noise(cubes({{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}}, 10), 0.3, 3.5); // creases, convex and concave
+  removes_noise(sphere(24), 0.2, 6.);
+  removes_noise(jittered_square(24), 0.3, 6.); // open and flat
+  keeps_what_it_must();
+  stays_finite();
+  solves_face_signals();
+  return GDP_TEST_RESULT();
+}
