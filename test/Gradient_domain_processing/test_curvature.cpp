@@ -439,7 +439,7 @@ void test_estimators_and_maps()
                                       GDP::parameters::curvature_weight(0.5).area_normalization(false).presmoothing_weight(noise == 0 ? 0. : 1e-2)
                                         .curvature_estimator(i == 0 ? GDP::Curvature_estimator::JETS : GDP::Curvature_estimator::NORMALS)) == GDP::OK);
       error[i] = error_on_sphere(m, 0.5);
-      GDP_CHECK(error[i] < (i == 0 ? 0.02 : 0.25) + 5 * noise); // averaged normals of an irregular mesh are off by themselves
+      GDP_CHECK(error[i] < (i == 0 ? 0.03 : 0.25) + 5 * noise); // averaged normals of an irregular mesh are off by themselves
     }
     std::cout << "sphere with noise " << noise << ": error of jets " << error[0] << ", of normals " << error[1] << std::endl;
   }

@@ -183,7 +183,6 @@ void check_other_packages()
   PMP::compute_vertex_normals(x.tm, others, GDP::parameters::gradient_weight(1.).vertex_point_map(x.other).geom_traits(K()));
   for(Vertex v : vertices(x.tm))
     GDP_CHECK_NEAR((others[v] - K::Vector_3(-normals[v].x(), normals[v].y(), -normals[v].z())).squared_length(), 0, 1e-20);
-
 }
 
 // Remeshing coarser: no pass leaves all vertices, one pass those that the pack constrains.

@@ -277,8 +277,8 @@ public:
   /// sets the metric to that of the embedding.
   Error_code set_embedding_metric()
   {
-    if(m_error != OK)
-      return m_error;
+    if(const Error_code code = ready())
+      return code;
     internal::Stage_scope stage(*m_progress, Stage::METRIC);
     m_system.set_metrics(internal::embedding_metrics(m_system.mesh, m_system.parallel));
     return OK;
@@ -290,8 +290,8 @@ public:
   template <class FaceMetricMap>
   Error_code set_metric(FaceMetricMap map)
   {
-    if(m_error != OK)
-      return m_error;
+    if(const Error_code code = ready())
+      return code;
     internal::Stage_scope stage(*m_progress, Stage::METRIC);
     std::vector<Triangle_metric> metrics(m_elements.faces.size());
     const double factor = 1 / (m_system.mesh.unit() * m_system.mesh.unit());
@@ -485,6 +485,8 @@ public:
   template <class VertexPointMap>
   Error_code write_points(VertexPointMap vpm)
   {
+    if(const Error_code code = ready())
+      return code;
     internal::Stage_scope stage(*m_progress, Stage::WRITE);
     typedef typename boost::property_traits<VertexPointMap>::value_type Point;
     const double unit = m_system.mesh.unit();
@@ -554,8 +556,8 @@ public:
   template <class InMap>
   Error_code read_signal(InMap in, internal::Signal& signal)
   {
-    if(m_error != OK)
-      return m_error;
+    if(const Error_code code = ready())
+      return code;
     internal::Stage_scope stage(*m_progress, Stage::READ);
     typedef Signal_traits<typename boost::property_traits<InMap>::value_type> Traits;
     signal.resize(m_elements.vertices.size(), Traits::dimension);
@@ -572,6 +574,8 @@ public:
   template <class InMap, class OutMap>
   Error_code write_signal(InMap in, const internal::Signal& result, OutMap out)
   {
+    if(const Error_code code = ready())
+      return code;
     internal::Stage_scope stage(*m_progress, Stage::WRITE);
     typedef typename boost::property_traits<InMap>::value_type In_value;
     typedef typename boost::property_traits<OutMap>::value_type Out_value;
@@ -597,6 +601,12 @@ public:
   /// \endcond
 
 private:
+  // At the beginning of every stage the visitor is asked.
+  Error_code ready()
+  {
+    return m_error != OK ? m_error : m_progress->go_on(0) ? OK : ERROR_CANCELLED;
+  }
+
   static bool is_weight(double w) { return w >= 0 && std::isfinite(w); }
 
   template <class NamedParameters>
@@ -611,6 +621,9 @@ private:
     using namespace CGAL::internal_np;
     m_system.parallel = internal::is_parallel<
       internal::Parameter_type<concurrency_tag_t, NamedParameters, Parallel_if_available_tag> >();
+    if(!m_progress->go_on(0))
+      m_error = ERROR_CANCELLED;
+    else
     {
       internal::Stage_scope stage(*m_progress, Stage::READ);
       std::vector<char> is_fixed;
@@ -713,6 +726,8 @@ private:
   {
     std::vector<internal::Principal_curvatures> curvatures;
     if(const Error_code code = face_curvatures(np, curvatures))
+      return code;
+    if(const Error_code code = ready())
       return code;
     internal::Stage_scope stage(*m_progress, Stage::METRIC);
     std::vector<Triangle_metric> metrics;

@@ -46,7 +46,8 @@ Error_code enhance_details(Solver solver, TriangleMesh& tm, const NamedParameter
  *
  * \param tm the triangle mesh; its points are moved
  * \param np all the \ref bgl_namedparameters "Named Parameters" of `smooth()` but `number_of_iterations`: they describe the first
- *        pass, which an edge-aware metric makes keep sharp details; and
+ *        pass, which an edge-aware metric makes keep sharp details (constraints and `vertex_value_weight_map` hold for both passes,
+ *        `face_gradient_weight_map` and `face_gradient_scale_map` for the first); and
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{sharpening_weight}

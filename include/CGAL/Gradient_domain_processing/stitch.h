@@ -92,10 +92,24 @@ Error_code stitch(Solver solver, VertexPatchMap patch_map, InMap in, OutMap out)
   for(auto v : solver.elements().vertices)
     patch.push_back(numbers.emplace(get(patch_map, v), int(numbers.size())).first->second);
 
+  // On a seam the part of the gradient along the edge inside a patch is kept; a triangle between three patches has none.
   const std::vector<char> is_seam = find_seams(mesh, patch, signal);
   const auto excess = [&](int f, int i, int j, int channel) {
+    if(!is_seam[f])
+      return 0.;
     const auto& t = mesh.triangles[f];
-    return is_seam[f] ? signal(t[i], channel) - signal(t[j], channel) : 0.;
+    double target = 0;
+    for(int k = 0; k < 3; ++k)
+    {
+      const int a = t[k], b = t[(k + 1) % 3];
+      if(patch[a] != patch[b])
+        continue;
+      const Vec3 edge = mesh.points[b] - mesh.points[a];
+      const double squared_length = edge.squaredNorm();
+      if(squared_length > 0)
+        target = (signal(b, channel) - signal(a, channel)) * edge.dot(mesh.points[t[j]] - mesh.points[t[i]]) / squared_length;
+    }
+    return target - (signal(t[j], channel) - signal(t[i], channel));
   };
   Signal change;
   if(const Error_code code = solver.solve(excess, int(signal.cols()), change))
@@ -110,7 +124,8 @@ Error_code stitch(Solver solver, VertexPatchMap patch_map, InMap in, OutMap out)
  *
  * fuses the signals of several patches of a mesh into one without seams, such as the colours of two photographs or the offsets of
  * two scans: the gradients inside each patch are kept, and across a seam none is wanted (paper, sections 1 and 2.1; Yu et al. 2004 for
- * positions). On triangles whose vertices belong to different patches the target \f$ v \f$ is zero, on all others \f$ \nabla f \f$.
+ * positions). On triangles whose vertices belong to different patches the target \f$ v \f$ is the part of \f$ \nabla f \f$ along the edge that lies in one
+ * patch (zero between three patches), on all others \f$ \nabla f \f$.
  * The values \f$ f \f$ determine only what is left open by that, the constants of the patches, by their small weight.
  *
  * A seam across which the signals agree, so that the gradients go on from patch to patch, is left as it is: patches that fit are

@@ -629,7 +629,16 @@ def run(name, surface, kind, parameters):
     scale = ((patch[:, 0] == patch[:, 1]) & (patch[:, 1] == patch[:, 2])).astype(float)
     if not 0 < scale.sum() < faces:
       raise ValueError("the patches of %s do not meet in a seam" % name)
-    field = ar.array(scale)[:, None, None] * surface.gradient(signal)
+    gradient = surface.gradient(signal)
+    field = ar.array(scale)[:, None, None] * gradient
+    # on a seam, what runs along the edge inside a patch is kept
+    for f in np.flatnonzero(scale == 0):
+      for i, j in ((0, 1), (1, 2), (2, 0)):
+        if patch[f, i] == patch[f, j]:
+          edge = surface.points[surface.faces[f, j]] - surface.points[surface.faces[f, i]]
+          for channel in range(gradient.shape[2]):
+            along = gradient[f][:, channel]
+            field[f][:, channel] = edge * ((along * edge).sum() / (edge * edge).sum())
   else:
     scale = pattern(parameters["face_lambda"], faces) if "face_lambda" in parameters \
         else np.full(faces, float(parameters["lambda"]))

@@ -126,6 +126,8 @@ Error_code vertex_curvatures_by_jets(System& system, const std::vector<Vec3>* gi
   if(const Error_code code = presmooth(system, options.presmoothing_weight, progress, positions))
     return code;
 
+  if(!progress.go_on(0))
+    return ERROR_CANCELLED;
   Stage_scope stage(progress, Stage::CURVATURE);
   Mesh_arrays smoothed;
   smoothed.triangles = mesh.triangles;
@@ -163,6 +165,8 @@ Error_code face_curvatures_by_normals(System& system, const std::vector<Vec3>* g
   if(const Error_code code = presmooth(system, options.presmoothing_weight, progress, smoothed))
     return code;
 
+  if(!progress.go_on(0))
+    return ERROR_CANCELLED;
   Stage_scope stage(progress, Stage::CURVATURE);
   std::vector<Vec3> normals(mesh.points.size());
   parallel_for(system.parallel, normals.size(), [&](std::size_t v) {
