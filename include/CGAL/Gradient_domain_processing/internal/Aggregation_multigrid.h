@@ -93,16 +93,6 @@ public:
 
   const Matrix& finest() const { return m_levels.front().matrix; }
 
-  std::size_t number_of_levels() const { return m_levels.size(); }
-
-  double operator_complexity() const
-  {
-    double sum = 0;
-    for(const Level& level : m_levels)
-      sum += double(level.matrix.column.size());
-    return sum / double(m_levels.front().matrix.column.size());
-  }
-
 private:
   template <int K, class B, class X>
   void cycle(std::size_t depth, const B& b, X& x)
@@ -285,10 +275,13 @@ private:
     return build_rows<Real>(m_parallel, a.rows(), number_of_aggregates, [&](std::size_t i, auto& row) {
       if(aggregate[i] < 0)
         return;
-      Real filtered = 0;
+      Real filtered = 0, strong = 0;
       for(int e = a.offset[i]; e < a.offset[i + 1]; ++e)
-        if(!is_strong(a.value[e], diagonal[i], diagonal[a.column[e]], threshold))
+        if(is_strong(a.value[e], diagonal[i], diagonal[a.column[e]], threshold))
+          strong -= a.value[e];
+        else
           filtered += a.value[e];
+      filtered = (std::max)(filtered, strong); // obtuse angles at constrained vertices may leave less
       for(int e = a.offset[i]; e < a.offset[i + 1]; ++e)
       {
         const int j = a.column[e];
