@@ -121,7 +121,7 @@ public:
         .number_of_iterations(o.passes > 0 ? o.passes : -1)
         .border_condition(o.border)
         .vertex_is_constrained_map(Vertex_map<char>{&is_constrained}), [this](const auto& np, const auto&... region) {
-          return GDP::denoise(region..., m_file.mesh, np);
+          return GDP::denoise(region..., this->m_file.mesh, np);
         });
     std::vector<double> alpha = at_vertices(o.value_weight_property, o.value_weight);
     std::vector<double> beta = at_faces(m_file.mesh, at_vertices(o.gradient_weight_property, o.gradient_weight));
@@ -151,7 +151,7 @@ private:
   template <class NamedParameters>
   Error_code with_normals(const NamedParameters& np)
   {
-    const auto operation = [this](const auto& pack, const auto&... region) { return run_on(pack, region...); };
+    const auto operation = [this](const auto& pack, const auto&... region) { return this->run_on(pack, region...); };
     if(!m_file.vertex_columns.has_normals())
       return run_operation(np, operation);
     std::vector<Vector> normals = vertex_normals(m_file);

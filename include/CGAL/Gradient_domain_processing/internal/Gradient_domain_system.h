@@ -12,6 +12,7 @@
 #include <CGAL/Gradient_domain_processing/internal/Linear_solver.h>
 #include <CGAL/Gradient_domain_processing/internal/Mesh_arrays.h>
 #include <CGAL/Gradient_domain_processing/internal/assembly.h>
+#include <CGAL/Gradient_domain_processing/internal/connected_components.h>
 #include <CGAL/Gradient_domain_processing/internal/nested_dissection.h>
 
 #include <numeric>
@@ -48,7 +49,7 @@ private:
   Sparse_matrix m_matrix; // its pattern, for as long as the system lives; its values are those of the last assembly
   Sparse_matrix m_unshifted;
   Linear_solver<SparseLinearSolver> m_solver;
-  bool m_is_analyzed = false, m_is_factorized = false;
+  bool m_is_analyzed = false, m_is_factorized = false, m_values_weigh_little = false;
 
 public:
   explicit Gradient_domain_system(const SparseLinearSolver& solver) : m_solver(solver) {}
@@ -108,6 +109,7 @@ public:
       {
         Stage_scope stage(progress, Stage::ASSEMBLE);
         assemble(mesh, m_metrics, m_weights, m_unknowns, parallel, m_matrix);
+        m_values_weigh_little = values_weigh_little();
       }
       if(!progress.go_on(0))
         return ERROR_CANCELLED;
@@ -146,6 +148,8 @@ public:
     parallel_for(parallel, m_unknowns.size(), [&](std::size_t row) {
       displacement.row(m_unknowns.vertex[row]) = solution.row(row);
     });
+    if(m_values_weigh_little)
+      center(displacement);
     return displacement.allFinite() ? OK : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
   }
 
@@ -207,6 +211,59 @@ private:
       rest = less;
     }
     return OK;
+  }
+
+  // Whether rounding might decide on the constant of a component: the sums of the rows, which hold the values' part, are all but
+  // lost in the diagonal.
+  bool values_weigh_little() const
+  {
+    Eigen::VectorXd sums = Eigen::VectorXd::Zero(m_matrix.cols()), diagonal(m_matrix.cols());
+    for(int j = 0; j < m_matrix.outerSize(); ++j)
+      for(Sparse_matrix::InnerIterator it(m_matrix, j); it; ++it)
+      {
+        sums[j] += it.value();
+        if(it.row() == j)
+          diagonal[j] = it.value();
+        else if(m_solver.reads_lower_triangle)
+          sums[it.row()] += it.value();
+      }
+    return (sums.array() < 1e-9 * diagonal.array()).any();
+  }
+
+  // Targets are differences along edges, so what they ask for sums up to zero: on a component without constraints the mean of
+  // the change, weighted by the values' part of the system, is zero.
+  void center(Signal& displacement) const
+  {
+    Weights value_weights = m_weights;
+    value_weights.gradient = 0;
+    value_weights.gradient_at_face.clear();
+
+    const Components components = connected_components(mesh);
+    std::vector<double> mass(components.count, 0);
+    std::vector<char> is_held(components.count, 0), is_at_rest(mesh.number_of_vertices(), 1);
+    Signal moment = Signal::Zero(components.count, displacement.cols());
+    for(int v = 0; v < mesh.number_of_vertices(); ++v)
+    {
+      double weight = 0;
+      for(const int* c = mesh.corners.begin(v); c != mesh.corners.end(v); ++c)
+      {
+        const Row_entries values = row_entries(mesh, m_metrics, value_weights, *c);
+        weight += values.vv + values.va + values.vb;
+        if(row_entries(mesh, m_metrics, m_weights, *c).vv != 0)
+          is_at_rest[v] = 0;
+      }
+      const int component = components.of_vertex[v];
+      mass[component] += weight;
+      moment.row(component) += weight * displacement.row(v);
+      if(m_unknowns.column[v] < 0)
+        is_held[component] = 1;
+    }
+    for(int v = 0; v < mesh.number_of_vertices(); ++v)
+    {
+      const int component = components.of_vertex[v];
+      if(!is_held[component] && !is_at_rest[v] && mass[component] > 0)
+        displacement.row(v) -= moment.row(component) / mass[component];
+    }
   }
 
   Eigen::MatrixXd multiply(const Eigen::MatrixXd& x) const

@@ -7,8 +7,7 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_VOLUME_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_VOLUME_H
 
-#include <CGAL/Gradient_domain_processing/Error_code.h>
-#include <CGAL/Gradient_domain_processing/internal/Mesh_arrays.h>
+#include <CGAL/Gradient_domain_processing/internal/connected_components.h>
 
 #include <cmath>
 #include <vector>
@@ -16,41 +15,6 @@
 namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
-
-// The connected component of every vertex.
-struct Components
-{
-  std::vector<int> of_vertex;
-  int count = 0;
-};
-
-inline Components connected_components(const Mesh_arrays& mesh)
-{
-  Components components;
-  components.of_vertex.assign(mesh.number_of_vertices(), -1);
-  std::vector<int> stack;
-  for(int seed = 0; seed < mesh.number_of_vertices(); ++seed)
-  {
-    if(components.of_vertex[seed] >= 0)
-      continue;
-    stack.assign(1, seed);
-    components.of_vertex[seed] = components.count;
-    while(!stack.empty())
-    {
-      const int v = stack.back();
-      stack.pop_back();
-      for(const int* c = mesh.corners.begin(v); c != mesh.corners.end(v); ++c)
-        for(int w : mesh.opposite_vertices(*c))
-          if(components.of_vertex[w] < 0)
-          {
-            components.of_vertex[w] = components.count;
-            stack.push_back(w);
-          }
-    }
-    ++components.count;
-  }
-  return components;
-}
 
 // Scales every component about its centroid (that of its surface) so that it encloses the volume it enclosed with the points
 // `before`. A component without volume, or turned inside out, is left as it is.
