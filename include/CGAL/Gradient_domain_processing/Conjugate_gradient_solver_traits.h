@@ -26,14 +26,15 @@ namespace Gradient_domain_processing {
  * \ingroup PkgGradientDomainProcessingRef
  *
  * solves symmetric positive definite systems by conjugate gradients, preconditioned by an algebraic multigrid method (smoothed
- * aggregation). Time and memory grow linearly with the mesh: it is for meshes whose Cholesky factor does not fit in memory.
- * Below that the default solver is faster, above all where several signals are processed with one matrix.
+ * aggregation). Memory grows linearly with the mesh: it is for meshes whose Cholesky factor does not fit in memory. The number of
+ * iterations grows slowly with the mesh, and with slivers and strong anisotropy. Where several signals are processed with one
+ * matrix, the default solver is faster.
  *
  * The iteration starts from zero. As this package solves for the change of a signal, that is a start from the signal itself.
  *
  * A solution is accepted when \f$ \|r\|_B \leq \tau \|b\|_B \f$ for the residual \f$ r \f$ and the right-hand side \f$ b \f$, with
  * \f$ \tau \f$ the tolerance and \f$ B \approx A^{-1} \f$ the preconditioner. This is about the error of the solution in the norm of the
- * energy, relative to the solution, at any resolution. Where the maximum number of iterations does not reach it, functions of
+ * energy, relative to the solution, as far as \f$ B \f$ is good. Where the maximum number of iterations does not reach it, functions of
  * this package return `ERROR_NOT_CONVERGED`.
  *
  * Copies share their state: the object whose copy is passed to a function has the numbers of iterations afterwards.

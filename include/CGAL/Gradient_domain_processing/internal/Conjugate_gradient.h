@@ -85,7 +85,7 @@ private:
   }
 
   // Starts from zero. The error is measured by |r|_B / |b|_B, where B is the preconditioner and about the inverse of A: it is that
-  // of the solution in the norm of the energy, up to the quality of B, and does not depend on the resolution.
+  // of the solution in the norm of the energy, up to the quality of B.
   template <int K>
   bool solve(const Eigen::MatrixXd& right, int first, Eigen::MatrixXd& solution)
   {

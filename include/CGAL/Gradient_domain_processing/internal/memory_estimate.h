@@ -22,14 +22,14 @@ namespace Gradient_domain_processing {
 namespace internal {
 
 // Entries of the Cholesky factor of a triangle mesh with so many unknowns. Nested dissection of a surface leaves O(n log n) of
-// them; on scans of 8 thousand to 10 million vertices CHOLMOD keeps 3.4 to 4.1 n log2 n, the zeros in its dense blocks included.
+// them; on meshes of 8 thousand to 4 million vertices CHOLMOD keeps 3.4 to 4.1 n log2 n, the zeros in its dense blocks included.
 inline double cholesky_factor_entries(std::size_t unknowns)
 {
   return 4.1 * double(unknowns) * std::log2(double(unknowns) + 1);
 }
 
 // Bytes that a Cholesky factorization needs at most, beside the mesh itself: the factor, a tenth of it as work space, and
-// arrays linear in the mesh. The last were measured, too: mesh arrays and matrix take 290 bytes a vertex, three channels 150.
+// arrays linear in the mesh: mesh arrays and matrix were measured at 290 bytes a vertex, three channels at 100; 60 are to spare.
 inline double cholesky_memory(std::size_t unknowns)
 {
   return 1.1 * sizeof(double) * cholesky_factor_entries(unknowns) + 450. * double(unknowns);
