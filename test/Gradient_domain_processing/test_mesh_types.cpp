@@ -18,6 +18,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <cmath>
 #include <map>
 #include <vector>
 
@@ -31,11 +32,13 @@ typedef CGAL::Exact_predicates_exact_constructions_kernel Epeck;
 
 namespace {
 
-// A patch whose coordinates are numbers of type float, so that every kernel begins with the same ones.
+// A patch whose coordinates are numbers of type float, so that every kernel begins with the same ones. They are rounded
+// to multiples of 2^-20, since g++ 12 may drop a conversion to float and back when it vectorises.
 Soup surface()
 {
-  return transformed(bumpy_patch(8, 6), [](const Coordinates& p) {
-    return Coordinates{{double(float(p[0])), double(float(p[1])), double(float(p[2]))}};
+  const auto rounded = [](double x) { return std::round(std::ldexp(x, 20)) / std::ldexp(1., 20); };
+  return transformed(bumpy_patch(8, 6), [&](const Coordinates& p) {
+    return Coordinates{{rounded(p[0]), rounded(p[1]), rounded(p[2])}};
   });
 }
 
