@@ -14,8 +14,6 @@
 #include "gradient_domain_filter/Stage_clock.h"
 #include "gradient_domain_filter/filter_mesh.h"
 
-#include <CGAL/Gradient_domain_processing/internal/memory_estimate.h>
-
 #include <cmath>
 #include <cstdio>
 #include <exception>
@@ -28,6 +26,9 @@
 #endif
 #if defined(__unix__) || defined(__APPLE__)
 #include <unistd.h>
+#endif
+#ifdef __GLIBC__
+#include <malloc.h>
 #endif
 
 namespace GDP = CGAL::Gradient_domain_processing;
@@ -43,22 +44,6 @@ bool is_terminal()
 #endif
 }
 
-GDP::Error_code filter_mesh(const Options& options, Mesh_file& file, Stage_clock& clock, Solver_facts& facts)
-{
-  switch(options.solver)
-  {
-#ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD
-    case Solver_kind::EIGEN: return filter_with_eigen(options, file, clock, facts);
-#endif
-    case Solver_kind::CG: return filter_with_cg(options, file, clock, facts);
-    case Solver_kind::AUTO:
-      if(!GDP::internal::cholesky_fits(file.mesh.number_of_vertices()))
-        return filter_with_cg(options, file, clock, facts);
-      return filter_with_default(options, file, clock, facts);
-    default: return filter_with_default(options, file, clock, facts);
-  }
-}
-
 // The signal as columns, to see how far it moved.
 std::vector<std::vector<double> > signal_columns(const Options& options, const Mesh_file& file)
 {
@@ -67,6 +52,7 @@ std::vector<std::vector<double> > signal_columns(const Options& options, const M
     for(int i = 0; i < 3; ++i)
     {
       columns.emplace_back();
+      columns.back().reserve(file.mesh.number_of_vertices());
       for(const Point& p : file.mesh.points())
         columns.back().push_back(p[i]);
     }
@@ -113,11 +99,13 @@ void run(const Options& options)
     file = read_mesh_file(options.input, options.read);
     report.count(file.mesh);
   }
-  const auto before = signal_columns(options, file);
+  const bool is_measured = options.is_verbose || report_file;
+  const auto before = is_measured ? signal_columns(options, file) : std::vector<std::vector<double> >();
   const GDP::Error_code code = filter_mesh(options, file, clock, report.solver);
   if(code != GDP::OK)
-    throw Failure(options.input, GDP::get_error_message(code));
-  measure_change(before, signal_columns(options, file), report);
+    throw Failure(options.input, (clock.invalid().empty() ? "" : clock.invalid() + ": ") + GDP::get_error_message(code));
+  if(is_measured)
+    measure_change(before, signal_columns(options, file), report);
   {
     Timed_stage stage(clock, "write");
     output.write(mesh_file_contents(file, options.output_format, options.encoding));
@@ -136,6 +124,9 @@ void run(const Options& options)
 
 int main(int argc, char* argv[])
 {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_THRESHOLD, 1 << 20); // large arrays go back to the system as they are freed: a tenth of the memory
+#endif
   Options options;
   try
   {

@@ -334,7 +334,7 @@ void test_least_squares()
   Random random;
   for(int trial = 0; trial < 200; ++trial)
   {
-    GDPI::Jet_fitter::Points points(1, Kernel::Point_3(0, 0, 0));
+    GDPI::Jet_fitter<>::Points points(1, Kernel::Point_3(0, 0, 0));
     for(int i = 0; i < 24; ++i)
     {
       const double x = random(), y = random();
@@ -353,9 +353,9 @@ void test_least_squares()
       const auto d = expected.maximal_principal_direction();
       GDP_CHECK_NEAR(std::abs(computed.min_direction.dot(Vec3(d.x(), d.y(), d.z()))), 1, tolerance);
     };
-    compare(GDPI::Jet_fitter(2), 2);
-    compare(GDPI::Jet_fitter(3), 3);
-    compare(GDPI::Jet_fitter(4), 4);
+    compare(GDPI::Jet_fitter<>(2), 2);
+    compare(GDPI::Jet_fitter<>(3), 3);
+    compare(GDPI::Jet_fitter<>(4), 4);
   }
 }
 

@@ -10,7 +10,6 @@
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 
 #include <algorithm>
 #include <cmath>
@@ -57,6 +56,11 @@ public:
 
 private:
   static std::string name(const char* what, std::size_t i) { return what + (" " + std::to_string(i)); }
+
+  static std::string edge_name(std::size_t smaller_end, const Side& side)
+  {
+    return "the edge " + std::to_string(smaller_end) + "-" + std::to_string(side.larger_end);
+  }
 
   // Calls visit(face, corner, next corner) for all corners.
   template <class Visit>
@@ -119,12 +123,11 @@ private:
       for(auto side = begin; side != end; ++side, ++edges)
         if(side + 1 != end && side[1].larger_end == side->larger_end)
         {
-          const std::string which = "the edge " + std::to_string(i) + "-" + std::to_string(side->larger_end);
           if(side + 2 != end && side[2].larger_end == side->larger_end)
-            return which + " has more than two faces";
+            return edge_name(i, *side) + " has more than two faces";
           ++side;
           if(v[side[-1].corner] == v[side->corner])
-            return which + " is used twice in the same direction";
+            return edge_name(i, *side) + " is used twice in the same direction";
         }
     }
     if(edges > std::size_t((std::numeric_limits<int>::max)()) / 2)
@@ -267,21 +270,20 @@ Mesh_file connect(const std::string& path, Polygon_soup& soup, const Read_option
   if(!problem.empty())
     throw Failure(path, problem + "; not a manifold mesh" + (options.repair ? "" : " (--repair tries to make it one)"));
 
-  file.vertex_columns = std::move(soup.vertex_columns);
-  file.face_columns = std::move(soup.face_columns);
-  file.notes = std::move(soup.notes);
-  for(Mesh::Face_index f : file.mesh.faces())
-    if(file.mesh.degree(f) != 3)
+  for(std::size_t f = 0; f < soup.number_of_polygons(); ++f)
+    if(soup.first_corner[f + 1] - soup.first_corner[f] != 3)
     {
       if(!options.triangulate)
-        throw Failure(path, "face " + std::to_string(std::size_t(f)) + " is not a triangle (--triangulate splits such faces)");
-      if(!PMP::triangulate_faces(file.mesh))
-        throw Failure(path, "a face cannot be triangulated");
-      if(!file.face_columns.empty())
-        file.notes.push_back("face properties, as faces were split");
-      file.face_columns.clear();
-      file.mesh.collect_garbage();
+        throw Failure(path, "face " + std::to_string(f) + " is not a triangle (--triangulate splits such faces)");
+      split_polygons(path, soup);
+      file.mesh.clear();
+      problem = Connector(soup, file.mesh).connect();
+      if(!problem.empty())
+        throw Failure(path, "the faces cannot be split into triangles: " + problem);
       break;
     }
+  file.vertex_columns = std::move(soup.vertex_columns);
+  file.face_columns = std::move(soup.face_columns);
+  file.notes.insert(file.notes.begin(), soup.notes.begin(), soup.notes.end());
   return file;
 }

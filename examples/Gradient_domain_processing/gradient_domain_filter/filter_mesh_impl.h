@@ -42,28 +42,27 @@ struct Array_map
 };
 
 template <class Value> using Vertex_map = Array_map<Mesh::Vertex_index, Value>;
-template <class Value> using Face_map = Array_map<Mesh::Face_index, Value>;
+
+// A weight: that of a property, or one for all.
+template <class Key>
+struct Weight_map
+{
+  typedef Key key_type;
+  typedef double value_type;
+  typedef double reference;
+  typedef boost::readable_property_map_tag category;
+
+  const std::vector<double>* values; // none: the constant
+  double constant;
+
+  friend double get(const Weight_map& map, Key key) { return map.values ? (*map.values)[std::size_t(key)] : map.constant; }
+};
 
 typedef std::array<double, 3> Three_channels;
 
 const std::vector<double>& property(const Options& options, const Mesh_file& file, const std::string& name);
 std::vector<Vector> vertex_normals(const Mesh_file& file);
 void write_curvature(const std::vector<double>& total_curvature, Columns& columns);
-
-// The mean of the corners.
-inline std::vector<double> at_faces(const Mesh& mesh, const std::vector<double>& at_vertices)
-{
-  std::vector<double> values;
-  values.reserve(mesh.number_of_faces());
-  for(Mesh::Face_index f : mesh.faces())
-  {
-    double sum = 0;
-    for(Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
-      sum += at_vertices[std::size_t(v)];
-    values.push_back(sum / 3);
-  }
-  return values;
-}
 
 // Three columns as one signal, and back.
 inline std::vector<Three_channels> three_columns(const Columns& columns, const std::array<const char*, 3>& names)
@@ -111,9 +110,6 @@ public:
       const std::vector<double>& selected = property(o, m_file, o.constrained_property);
       std::transform(selected.begin(), selected.end(), is_constrained.begin(), [](double x) { return x != 0; });
     }
-    const auto at_vertices = [&](const std::string& name, double otherwise) {
-      return name.empty() ? std::vector<double>(m_file.mesh.number_of_vertices(), otherwise) : property(o, m_file, name);
-    };
     if(o.operation == Operation::DENOISE)
       return run_operation(GDP::parameters::sparse_linear_solver(m_solver)
         .visitor(std::ref(m_clock))
@@ -123,14 +119,16 @@ public:
         .vertex_is_constrained_map(Vertex_map<char>{&is_constrained}), [this](const auto& np, const auto&... region) {
           return GDP::denoise(region..., this->m_file.mesh, np);
         });
-    std::vector<double> alpha = at_vertices(o.value_weight_property, o.value_weight);
-    std::vector<double> beta = at_faces(m_file.mesh, at_vertices(o.gradient_weight_property, o.gradient_weight));
-    std::vector<double> lambda = at_faces(m_file.mesh, at_vertices(o.gradient_scale_property, o.gradient_scale));
+    const std::vector<double>* const alpha = o.value_weight_property.empty() ? nullptr : &property(o, m_file, o.value_weight_property);
+    const std::vector<double> beta = at_faces(o.gradient_weight_property), lambda = at_faces(o.gradient_scale_property);
+    const auto weight_map = [](const std::vector<double>& values, double constant) {
+      return Weight_map<Mesh::Face_index>{values.empty() ? nullptr : &values, constant};
+    };
     return with_normals(GDP::parameters::sparse_linear_solver(m_solver)
       .visitor(std::ref(m_clock))
-      .vertex_value_weight_map(Vertex_map<double>{&alpha})
-      .face_gradient_weight_map(Face_map<double>{&beta})
-      .face_gradient_scale_map(Face_map<double>{&lambda})
+      .vertex_value_weight_map(Weight_map<Mesh::Vertex_index>{alpha, o.value_weight})
+      .face_gradient_weight_map(weight_map(beta, o.gradient_weight))
+      .face_gradient_scale_map(weight_map(lambda, o.gradient_scale))
       .gradient_scale(o.gradient_scale)
       .area_normalization(o.area_normalization)
       .curvature_metric_kind(o.metric)
@@ -148,6 +146,25 @@ public:
   }
 
 private:
+  // A vertex property at the faces, as the mean of the corners; empty without a name.
+  std::vector<double> at_faces(const std::string& name) const
+  {
+    std::vector<double> values;
+    if(name.empty())
+      return values;
+    const std::vector<double>& at_vertices = property(m_options, m_file, name);
+    const Mesh& mesh = m_file.mesh;
+    values.reserve(mesh.number_of_faces());
+    for(Mesh::Face_index f : mesh.faces())
+    {
+      double sum = 0;
+      for(Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
+        sum += at_vertices[std::size_t(v)];
+      values.push_back(sum / 3);
+    }
+    return values;
+  }
+
   template <class NamedParameters>
   Error_code with_normals(const NamedParameters& np)
   {

@@ -66,7 +66,7 @@ public:
 private:
   internal::Mesh_elements<TriangleMesh> m_elements;
   internal::Gradient_domain_system<SparseLinearSolver> m_system;
-  std::shared_ptr<internal::Progress> m_progress;
+  std::shared_ptr<internal::Mesh_progress<TriangleMesh> > m_progress;
   double m_squared_length_unit = 1; // weights times it are in units of the arrays
   Border_condition m_border_condition = Border_condition::FREE;
   std::vector<char> m_is_held; // constrained by a map or by the region, not by the border condition
@@ -198,7 +198,7 @@ public:
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   explicit Gradient_domain_solver(const TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
     : m_system(internal::parameter(np, CGAL::internal_np::sparse_linear_solver, SparseLinearSolver()))
-    , m_progress(internal::make_progress(np))
+    , m_progress(internal::make_progress<TriangleMesh>(np))
   {
     initialize(tm, np, [&](std::vector<char>& is_fixed) {
       const Error_code code = internal::read_mesh(tm, vertex_points(tm, np), np, m_elements, m_system.mesh);
@@ -219,7 +219,7 @@ public:
   template <class FaceRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
   Gradient_domain_solver(const TriangleMesh& tm, const FaceRange& region, const CGAL_NP_CLASS& np = parameters::default_values())
     : m_system(internal::parameter(np, CGAL::internal_np::sparse_linear_solver, SparseLinearSolver()))
-    , m_progress(internal::make_progress(np))
+    , m_progress(internal::make_progress<TriangleMesh>(np))
   {
     initialize(tm, np, [&](std::vector<char>& is_fixed) {
       return internal::read_region(tm, region, vertex_points(tm, np), m_elements, m_system.mesh, is_fixed);
@@ -280,7 +280,7 @@ public:
     if(const Error_code code = ready())
       return code;
     internal::Stage_scope stage(*m_progress, Stage::METRIC);
-    m_system.set_metrics(internal::embedding_metrics(m_system.mesh, m_system.parallel));
+    m_system.set_embedding_metric();
     return OK;
   }
 
@@ -300,7 +300,7 @@ public:
       const Triangle_metric metric = get(map, m_elements.faces[f]);
       metrics[f] = metric.scaled(factor).with_area_bounded_below(internal::degeneracy_ratio);
       if(!metric.is_valid() || !metrics[f].is_valid())
-        return ERROR_INVALID_METRIC;
+        return invalid_face(ERROR_INVALID_METRIC, f);
     }
     m_system.set_metrics(std::move(metrics));
     return OK;
@@ -405,11 +405,9 @@ public:
         along(2 * f + 1, channel) = v.dot(mesh.points[t[2]] - mesh.points[t[0]]);
         ++channel;
       }
-      if(channel < channels)
-        return ERROR_INVALID_TARGET;
+      if(channel < channels || !along.middleRows(2 * f, 2).allFinite())
+        return invalid_face(ERROR_INVALID_TARGET, std::size_t(f));
     }
-    if(!along.allFinite())
-      return ERROR_INVALID_TARGET;
 
     const auto target_at = [&](int f, int corner, int channel) { return corner == 0 ? 0. : along(2 * f + corner - 1, channel); };
     const auto excess = [&](int f, int i, int j, int channel) {
@@ -430,6 +428,18 @@ public:
   internal::Gradient_domain_system<SparseLinearSolver>& system() { return m_system; }
   const internal::Mesh_elements<TriangleMesh>& elements() const { return m_elements; }
   internal::Progress& progress() { return *m_progress; }
+
+  // Tell the visitor whom an error is about, and return it.
+  Error_code invalid_vertex(Error_code code, std::size_t v) const
+  {
+    m_progress->invalid_vertex(code, m_elements.vertices[v]);
+    return code;
+  }
+  Error_code invalid_face(Error_code code, std::size_t f) const
+  {
+    m_progress->invalid_face(code, m_elements.faces[f]);
+    return code;
+  }
   double squared_length_unit() const { return m_squared_length_unit; }
   bool is_held(int v) const { return m_is_held[v] != 0; }
   bool is_moved(int v) const
@@ -453,14 +463,8 @@ public:
 
   Error_code filter_in_place(internal::Signal& signal)
   {
-    const auto& mesh = m_system.mesh;
-    const auto& weights = m_system.weights();
-    const auto excess = [&](int f, int i, int j, int channel) {
-      const auto& t = mesh.triangles[f];
-      return (weights.scale_at(f) - 1) * (signal(t[j], channel) - signal(t[i], channel));
-    };
     internal::Signal change;
-    if(const Error_code code = solve(excess, int(signal.cols()), change))
+    if(const Error_code code = solve(m_system.excess_of_filter(signal), int(signal.cols()), change))
       return code;
     signal += change;
     return OK;
@@ -469,10 +473,13 @@ public:
   // One pass over the positions in the arrays.
   Error_code filter_points()
   {
-    internal::Signal positions = internal::as_signal(m_system.mesh.points);
-    if(const Error_code code = filter_in_place(positions))
+    std::vector<Vec3>& points = m_system.mesh.points;
+    const auto coordinate = [&](int v, int i) { return points[v][i]; };
+    internal::Signal change;
+    if(const Error_code code = solve(m_system.excess_of_filter(coordinate), 3, change))
       return code;
-    set_points(positions);
+    for(std::size_t v = 0; v < points.size(); ++v)
+      points[v] += change.row(v).transpose();
     return OK;
   }
 
@@ -522,7 +529,7 @@ public:
     {
       vectors[v] = internal::to_vec3(get(map, m_elements.vertices[v]));
       if(!vectors[v].allFinite())
-        return ERROR_INVALID_TARGET;
+        return invalid_vertex(ERROR_INVALID_TARGET, v);
     }
     return OK;
   }
@@ -566,8 +573,10 @@ public:
       const auto& value = get(in, m_elements.vertices[v]);
       for(int i = 0; i < Traits::dimension; ++i)
         signal(v, i) = Traits::channel(value, i);
+      if(!signal.row(v).allFinite())
+        return invalid_vertex(ERROR_INVALID_SIGNAL, v);
     }
-    return signal.allFinite() ? OK : ERROR_INVALID_SIGNAL;
+    return OK;
   }
 
   // Values that were not solved for are copied, so that they stay the same to the bit.
@@ -589,7 +598,7 @@ public:
       values.push_back(Traits::make(result.row(v).data()));
       for(int i = 0; i < Traits::dimension; ++i)
         if(!std::isfinite(Traits::channel(values.back(), i)))
-          return ERROR_RESULT_OUT_OF_RANGE;
+          return invalid_vertex(ERROR_RESULT_OUT_OF_RANGE, v);
       if constexpr (std::is_same<In_value, Out_value>::value)
         if(!is_moved(int(v)))
           values.back() = get(in, m_elements.vertices[v]);
@@ -628,6 +637,10 @@ private:
       internal::Stage_scope stage(*m_progress, Stage::READ);
       std::vector<char> is_fixed;
       m_error = read(is_fixed);
+      if(m_error == ERROR_NON_TRIANGULAR_MESH) // reading ended at the first of these
+        invalid_face(m_error, m_system.mesh.triangles.size());
+      if(m_error == ERROR_INVALID_POINT)
+        invalid_vertex(m_error, m_system.mesh.points.size() - 1);
       if(m_error == OK)
         m_error = read_unit(tm, np);
       if(m_error == OK)
@@ -684,24 +697,24 @@ private:
 
     if constexpr (internal::Has_parameter<vertex_value_weight_map_t, NamedParameters>::value)
       if(!read_numbers(internal::parameter(np, vertex_value_weight_map, 0), m_elements.vertices, true, weights.value, weights.value_at_vertex))
-        return ERROR_INVALID_WEIGHT;
+        return invalid_vertex(ERROR_INVALID_WEIGHT, weights.value_at_vertex.size() - 1);
     if constexpr (internal::Has_parameter<face_gradient_weight_map_t, NamedParameters>::value)
     {
       double same = beta;
       if(!read_numbers(internal::parameter(np, face_gradient_weight_map, 0), m_elements.faces, true, same, weights.gradient_at_face))
-        return ERROR_INVALID_WEIGHT;
+        return invalid_face(ERROR_INVALID_WEIGHT, weights.gradient_at_face.size() - 1);
       weights.gradient = same * m_squared_length_unit;
       for(double& w : weights.gradient_at_face)
         w *= m_squared_length_unit;
     }
     if constexpr (internal::Has_parameter<face_gradient_scale_map_t, NamedParameters>::value)
       if(!read_numbers(internal::parameter(np, face_gradient_scale_map, 0), m_elements.faces, false, weights.scale, weights.scale_at_face))
-        return ERROR_INVALID_WEIGHT;
+        return invalid_face(ERROR_INVALID_WEIGHT, weights.scale_at_face.size() - 1);
     m_system.set_weights(weights);
     return OK;
   }
 
-  // Numbers that are all the same make `same`, and none of their own: that is what costs least.
+  // Numbers that are all the same make `same`, and none of their own: that is what costs least. Ends with the first bad one.
   template <class Map, class Elements>
   static bool read_numbers(Map map, const Elements& elements, bool non_negative, double& same, std::vector<double>& numbers)
   {
@@ -734,6 +747,10 @@ private:
     const Error_code code = internal::stretched_metrics(m_system.mesh, curvatures, stretch, m_system.parallel, metrics);
     if(code == OK)
       m_system.set_metrics(std::move(metrics));
+    if(code == ERROR_INVALID_METRIC)
+      for(std::size_t f = 0; f < curvatures.size(); ++f)
+        if(!internal::is_valid_stretch(stretch(curvatures[f].min_curvature, curvatures[f].max_curvature)))
+          return invalid_face(code, f);
     return code;
   }
 
@@ -755,7 +772,7 @@ private:
         const auto& last = at_vertices.back();
         if(!std::isfinite(last.min_curvature) || !std::isfinite(last.max_curvature) || !last.min_direction.allFinite()
            || !last.max_direction.allFinite())
-          return ERROR_INVALID_TARGET;
+          return invalid_vertex(ERROR_INVALID_TARGET, at_vertices.size() - 1);
       }
       curvatures = internal::face_curvatures(m_system.mesh, at_vertices, m_system.parallel);
       return OK;

@@ -21,7 +21,7 @@ Error_code write_metrics(Solver solver, FaceMetricMap metrics)
     return solver.error();
   const double unit = solver.system().mesh.unit();
   for(std::size_t f = 0; f < solver.elements().faces.size(); ++f)
-    put(metrics, solver.elements().faces[f], solver.system().metrics()[f].scaled(unit * unit));
+    put(metrics, solver.elements().faces[f], solver.system().metric(int(f)).scaled(unit * unit));
   return OK;
 }
 

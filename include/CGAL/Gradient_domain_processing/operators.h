@@ -29,7 +29,7 @@ namespace internal {
 struct Operator_input
 {
   Mesh_arrays mesh;
-  std::vector<Triangle_metric> metrics;
+  Face_metrics metrics;
   std::vector<int> vertex_index; // of every vertex in the arrays
   std::vector<int> face_index;   // of every triangle
 };
@@ -44,7 +44,7 @@ Error_code read_operator_input(const TriangleMesh& tm, const NamedParameters& np
     return code;
 
   const double squared_unit = input.mesh.unit() * input.mesh.unit();
-  input.metrics.reserve(elements.faces.size());
+  input.metrics.given.reserve(elements.faces.size());
   for(std::size_t f = 0; f < elements.faces.size(); ++f)
   {
     if constexpr (Has_parameter<face_metric_map_t, NamedParameters>::value)
@@ -52,10 +52,10 @@ Error_code read_operator_input(const TriangleMesh& tm, const NamedParameters& np
       const Triangle_metric metric = get(parameter(np, face_metric_map, 0), elements.faces[f]);
       if(!metric.is_valid())
         return ERROR_INVALID_METRIC;
-      input.metrics.push_back(metric.with_area_bounded_below(degeneracy_ratio));
+      input.metrics.given.push_back(metric.with_area_bounded_below(degeneracy_ratio));
     }
     else
-      input.metrics.push_back(input.mesh.embedding_metric(int(f)).with_area_bounded_below(degeneracy_ratio).scaled(squared_unit));
+      input.metrics.given.push_back(input.mesh.embedding_metric(int(f)).with_area_bounded_below(degeneracy_ratio).scaled(squared_unit));
   }
 
   const auto vertex_index_map = CGAL::get_initialized_vertex_index_map(tm, np);
@@ -231,8 +231,8 @@ Error_code divergence_matrix(const TriangleMesh& tm, Eigen::SparseMatrix<double>
   for(int f = 0; f < input.mesh.number_of_triangles(); ++f)
   {
     const auto& t = input.mesh.triangles[f];
-    const double at_0 = internal::conductance(input.metrics[f], 0), at_1 = internal::conductance(input.metrics[f], 1),
-                 at_2 = internal::conductance(input.metrics[f], 2);
+    const Triangle_metric metric = input.metrics(input.mesh, f);
+    const double at_0 = internal::conductance(metric, 0), at_1 = internal::conductance(metric, 1), at_2 = internal::conductance(metric, 2);
     const int first = 2 * input.face_index[f];
     const auto add = [&](int corner, double by_t1, double by_t2) {
       columns.insert(input.vertex_index[t[corner]], first) = by_t1;

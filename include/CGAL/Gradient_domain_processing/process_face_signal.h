@@ -88,12 +88,12 @@ Error_code process_face_signal(const TriangleMesh& tm, InMap in, OutMap out, con
     const auto& value = get(in, faces[f]);
     for(int i = 0; i < In_traits::dimension; ++i)
       signal(f, i) = In_traits::channel(value, i);
-    masses[f] = weights.value * solver.system().metrics()[f].area();
+    if(!signal.row(f).allFinite())
+      return solver.invalid_face(ERROR_INVALID_SIGNAL, f);
+    masses[f] = weights.value * solver.system().metric(int(f)).area();
     if(masses[f] == 0)
       masses[f] = weights.value; // a face shrunk to a point has no area, but a value
   }
-  if(!signal.allFinite())
-    return ERROR_INVALID_SIGNAL;
 
   internal::Face_system<Linear_solver_type> system(internal::parameter(np, tag::sparse_linear_solver, Linear_solver_type()));
   if(const Error_code code = system.analyze(mesh, solver.system().parallel, solver.progress()))
@@ -114,7 +114,7 @@ Error_code process_face_signal(const TriangleMesh& tm, InMap in, OutMap out, con
       const auto h = halfedge(solver.elements().vertices[e.from], solver.elements().vertices[e.to], tm).first;
       weight = CGAL::to_double(get(internal::parameter(np, tag::interior_edge_weight_map, 0), edge(h, tm)));
       if(!(weight >= 0) || !std::isfinite(weight))
-        return ERROR_INVALID_WEIGHT;
+        return solver.invalid_face(ERROR_INVALID_WEIGHT, std::size_t(e.first));
     }
     else
     {

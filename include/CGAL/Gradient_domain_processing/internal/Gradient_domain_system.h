@@ -22,10 +22,6 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// No triangle is taken to have less area than this times its largest squared edge length (twice the area, to be precise): the
-// square root of the machine precision, far below what a mesh of any use contains.
-constexpr double degeneracy_ratio = 1.5e-8;
-
 inline std::vector<int> elimination_order(const std::vector<Vec3>& points, const Lists& neighbors, bool parallel)
 {
   return parallel ? nested_dissection<Parallel_tag>(points, neighbors.offsets, neighbors.items)
@@ -43,7 +39,7 @@ public:
   bool parallel = true;
 
 private:
-  std::vector<Triangle_metric> m_metrics;
+  Face_metrics m_metrics;
   Weights m_weights;
   Unknowns m_unknowns;
   Sparse_matrix m_matrix; // its pattern, for as long as the system lives; its values are those of the last assembly
@@ -54,16 +50,18 @@ private:
 public:
   explicit Gradient_domain_system(const SparseLinearSolver& solver) : m_solver(solver) {}
 
-  const std::vector<Triangle_metric>& metrics() const { return m_metrics; }
+  Triangle_metric metric(int f) const { return m_metrics(mesh, f); }
   const Weights& weights() const { return m_weights; }
   const Unknowns& unknowns() const { return m_unknowns; }
   bool is_analyzed() const { return m_is_analyzed; }
 
   void set_metrics(std::vector<Triangle_metric> metrics)
   {
-    m_metrics = std::move(metrics);
+    m_metrics.given = std::move(metrics);
     m_is_factorized = false;
   }
+
+  void set_embedding_metric() { set_metrics(std::vector<Triangle_metric>()); }
 
   void set_weights(const Weights& weights)
   {
@@ -142,25 +140,24 @@ public:
     if(displaces_constraints)
       move_to_right_hand_side(mesh, m_metrics, m_weights, m_unknowns, displacement, parallel, residual);
 
-    Eigen::MatrixXd solution;
-    if(const Error_code code = solve_refined(residual, solution))
+    if(const Error_code code = solve_refined(residual))
       return code;
     parallel_for(parallel, m_unknowns.size(), [&](std::size_t row) {
-      displacement.row(m_unknowns.vertex[row]) = solution.row(row);
+      displacement.row(m_unknowns.vertex[row]) = residual.row(row);
     });
     if(m_values_weigh_little)
       center(displacement);
     return displacement.allFinite() ? OK : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
   }
 
-  // v = lambda grad f
-  Error_code filter(const Signal& signal, Progress& progress, Signal& displacement, bool displaces_constraints = false)
+  // v = lambda grad f. The signal is a function of vertex and channel.
+  template <class Values>
+  auto excess_of_filter(const Values& signal) const
   {
-    const auto excess = [&](int f, int i, int j, int channel) {
+    return [this, &signal](int f, int i, int j, int channel) {
       const auto& t = mesh.triangles[f];
       return (m_weights.scale_at(f) - 1) * (signal(t[j], channel) - signal(t[i], channel));
     };
-    return solve(excess, int(signal.cols()), progress, displacement, displaces_constraints);
   }
 
 private:
@@ -193,21 +190,25 @@ private:
     return m_solver.factorize(m_matrix);
   }
 
-  Error_code solve_refined(const Eigen::MatrixXd& right, Eigen::MatrixXd& solution)
+  // The solution takes the place of the right-hand side.
+  Error_code solve_refined(Eigen::MatrixXd& values)
   {
-    Error_code code = m_solver.solve(right, solution);
-    if(code != OK || m_unshifted.size() == 0)
+    if(m_unshifted.size() == 0)
+      return m_solver.solve(values, values);
+    const Eigen::MatrixXd right = values;
+    Error_code code = m_solver.solve(right, values);
+    if(code != OK)
       return code;
-    Eigen::MatrixXd rest = right - multiply(solution), correction;
+    Eigen::MatrixXd rest = right - multiply(values), correction;
     for(int step = 0; step < 4; ++step)
     {
       code = m_solver.solve(rest, correction);
       if(code != OK)
         return code;
-      const Eigen::MatrixXd better = solution + correction, less = right - multiply(better);
+      const Eigen::MatrixXd better = values + correction, less = right - multiply(better);
       if(!(less.norm() < rest.norm()))
         break;
-      solution = better;
+      values = better;
       rest = less;
     }
     return OK;

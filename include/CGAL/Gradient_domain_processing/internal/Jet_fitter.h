@@ -22,11 +22,13 @@ namespace internal {
 
 // Fits a jet to a neighbourhood; where its points do not determine one of this degree, one of the next lower degree.
 // The neighbourhood begins with the vertex, which is at the origin, and its extent is about one.
+template <class Kernel = Simple_cartesian<double> >
 class Jet_fitter
 {
 public:
-  typedef Simple_cartesian<double> Kernel;
-  typedef std::vector<Kernel::Point_3> Points;
+  typedef typename Kernel::Point_3 Point;
+  typedef std::vector<Point> Points;
+  static constexpr std::size_t max_number_of_points = Jet_least_squares<double>::max_number_of_points;
 
   explicit Jet_fitter(int degree) : m_degree(degree) {}
 
@@ -40,7 +42,7 @@ public:
   }
 
 private:
-  typedef Monge_via_jet_fitting<Kernel, Kernel, Jet_least_squares> Monge_via_jet;
+  typedef Monge_via_jet_fitting<Kernel, Kernel, Jet_least_squares<double> > Monge_via_jet;
 
   // Beyond it, rounding of the coordinates decides what the coefficients are.
   static constexpr double max_condition_number = 1e8;
@@ -50,12 +52,12 @@ private:
     if(points.size() < number_of_jet_coefficients(degree))
       return false;
 
-    Monge_via_jet::Monge_form monge = m_monge(points.begin(), points.end(), std::size_t(degree), 2);
+    typename Monge_via_jet::Monge_form monge = m_monge(points.begin(), points.end(), std::size_t(degree), 2);
     if(!(m_monge.condition_number() < max_condition_number))
       return false;
 
     // A height above the tangent plane bends down, away from the outward normal, where the surface is convex: hence the signs.
-    monge.comply_wrt_given_normal(Kernel::Vector_3(normal.x(), normal.y(), normal.z()));
+    monge.comply_wrt_given_normal(typename Kernel::Vector_3(normal.x(), normal.y(), normal.z()));
     const Principal_curvatures fitted = { -monge.principal_curvatures(0), -monge.principal_curvatures(1),
                                           as_unit(monge.maximal_principal_direction()),
                                           as_unit(monge.minimal_principal_direction()) };
@@ -66,7 +68,7 @@ private:
     return true;
   }
 
-  static Vec3 as_unit(const Kernel::Vector_3& v)
+  static Vec3 as_unit(const typename Kernel::Vector_3& v)
   {
     return Vec3(v.x(), v.y(), v.z()).normalized();
   }

@@ -19,13 +19,15 @@ namespace Gradient_domain_processing {
 namespace internal {
 
 // A model of `SvdTraits` for `Monge_via_jet_fitting`: QR with column pivoting in storage of bounded size, so that a fit neither
-// iterates nor allocates. One type serves all degrees: each would be compiled with all of the fitting otherwise.
+// iterates nor allocates. One type serves all degrees: each would be compiled with all of the fitting otherwise. It is a
+// template, as what is made of it, so that only programs that fit jets compile them.
+template <class FT_>
 struct Jet_least_squares
 {
   static constexpr int max_number_of_coefficients = 15; // degree 4
   static constexpr int max_number_of_points = 128;
 
-  typedef double FT;
+  typedef FT_ FT;
 
   class Vector
     : public Eigen::Matrix<FT, Eigen::Dynamic, 1, Eigen::ColMajor, max_number_of_points, 1>
@@ -59,7 +61,7 @@ struct Jet_least_squares
   static FT solve(const Matrix& m, Vector& b)
   {
     typedef Eigen::Matrix<FT, Eigen::Dynamic, 1, Eigen::ColMajor, max_number_of_coefficients, 1> Coefficients;
-    const Eigen::ColPivHouseholderQR<Matrix::Eigen_type> qr(m.eigen_object());
+    const Eigen::ColPivHouseholderQR<typename Matrix::Eigen_type> qr(m.eigen_object());
     const Coefficients x = qr.solve(b.eigen_object());
     b.head(m.cols()) = x;
 

@@ -119,6 +119,7 @@ public:
     return m_traits.factor(*m_matrix, m_denominator) ? OK : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
   }
 
+  // `solution` may be `right`.
   Error_code solve(const Eigen::MatrixXd& right, Eigen::MatrixXd& solution)
   {
     const int n = int(right.rows());
@@ -179,10 +180,14 @@ public:
     });
   }
 
+  // `solution` may be `right`, which the solvers we know have read before they write it.
   Error_code solve(const Eigen::MatrixXd& right, Eigen::MatrixXd& solution)
   {
     const Error_code code = guarded([&] {
-      solution = m_traits.solver().solve(right);
+      if(&right == &solution && (is_iterative || !reads_lower_triangle))
+        solution = m_traits.solver().solve(Eigen::MatrixXd(right)).eval();
+      else
+        solution = m_traits.solver().solve(right);
       return m_traits.solver().info() == Eigen::Success;
     });
     return code != OK && is_iterative ? ERROR_NOT_CONVERGED : code;

@@ -23,6 +23,10 @@ namespace internal {
 
 typedef Eigen::Vector3d Vec3;
 
+// No triangle is taken to have less area than this times its largest squared edge length (twice the area, to be precise): the
+// square root of the machine precision, far below what a mesh of any use contains.
+constexpr double degeneracy_ratio = 1.5e-8;
+
 // One row a vertex, one column a channel of the signal; a vertex's channels lie together.
 typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> Signal;
 

@@ -20,6 +20,17 @@ namespace internal {
 
 typedef Eigen::SparseMatrix<double> Sparse_matrix;
 
+// The metric of every face. That of the embedding is computed when asked for: it costs no more than to be read, and no memory.
+struct Face_metrics
+{
+  std::vector<Triangle_metric> given; // none: the embedding
+
+  Triangle_metric operator()(const Mesh_arrays& mesh, int f) const
+  {
+    return given.empty() ? mesh.embedding_metric(f).with_area_bounded_below(degeneracy_ratio) : given[f];
+  }
+};
+
 // alpha, beta and lambda of the energy. The vectors are empty where a weight is the same everywhere.
 struct Weights
 {
@@ -50,11 +61,11 @@ struct Row_entries
   double vv, va, vb;
 };
 
-inline Row_entries row_entries(const Mesh_arrays& mesh, const std::vector<Triangle_metric>& metrics, const Weights& weights,
+inline Row_entries row_entries(const Mesh_arrays& mesh, const Face_metrics& metrics, const Weights& weights,
                                int corner)
 {
   const int f = corner / 3, i = corner % 3, j = (i + 1) % 3, k = (i + 2) % 3;
-  const Triangle_metric& metric = metrics[f];
+  const Triangle_metric metric = metrics(mesh, f);
 
   const double beta = weights.gradient_at(f);
   const double to_a = beta * conductance(metric, k), to_b = beta * conductance(metric, j);
@@ -119,7 +130,7 @@ inline Sparse_matrix sparsity_pattern(const Lists& rings, const Unknowns& unknow
 }
 
 // Fills the values of alpha M + beta S into its pattern, a column at a time: columns do not touch each other.
-inline void assemble(const Mesh_arrays& mesh, const std::vector<Triangle_metric>& metrics, const Weights& weights,
+inline void assemble(const Mesh_arrays& mesh, const Face_metrics& metrics, const Weights& weights,
                      const Unknowns& unknowns, bool parallel, Sparse_matrix& matrix, bool is_system = true)
 {
   const int* const offsets = matrix.outerIndexPtr();
@@ -155,7 +166,7 @@ inline void assemble(const Mesh_arrays& mesh, const std::vector<Triangle_metric>
 // beta (D v - S f): what the target gradients v ask for beyond the gradients of f. The target is given by its excess over the
 // gradient of f, integrated along the edges: excess(f, i, j, channel) from corner i to corner j of triangle f.
 template <class Excess>
-void gradient_residual(const Mesh_arrays& mesh, const std::vector<Triangle_metric>& metrics, const Weights& weights,
+void gradient_residual(const Mesh_arrays& mesh, const Face_metrics& metrics, const Weights& weights,
                        const Unknowns& unknowns, const Excess& excess, bool parallel, Eigen::MatrixXd& residual)
 {
   const int channels = int(residual.cols());
@@ -167,7 +178,8 @@ void gradient_residual(const Mesh_arrays& mesh, const std::vector<Triangle_metri
     {
       const int f = *c / 3, i = *c % 3, j = (i + 1) % 3, k = (i + 2) % 3;
       const double beta = weights.gradient_at(f);
-      const double to_a = beta * conductance(metrics[f], k), to_b = beta * conductance(metrics[f], j);
+      const Triangle_metric metric = metrics(mesh, f);
+      const double to_a = beta * conductance(metric, k), to_b = beta * conductance(metric, j);
       for(int channel = 0; channel < channels; ++channel)
         residual(row, channel) -= to_a * excess(f, i, j, channel) + to_b * excess(f, i, k, channel);
     }
@@ -175,7 +187,7 @@ void gradient_residual(const Mesh_arrays& mesh, const std::vector<Triangle_metri
 }
 
 // Takes from the residual what the displacements of vertices that are not solved for bring about.
-inline void move_to_right_hand_side(const Mesh_arrays& mesh, const std::vector<Triangle_metric>& metrics,
+inline void move_to_right_hand_side(const Mesh_arrays& mesh, const Face_metrics& metrics,
                                     const Weights& weights, const Unknowns& unknowns, const Signal& displacement,
                                     bool parallel, Eigen::MatrixXd& residual)
 {

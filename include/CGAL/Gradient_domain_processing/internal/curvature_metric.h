@@ -47,13 +47,9 @@ private:
   double stretch(double k) const { return (std::min)(1 + weight * k * k, 1e12); }
 };
 
-inline std::vector<Triangle_metric> embedding_metrics(const Mesh_arrays& mesh, bool parallel)
+inline bool is_valid_stretch(const std::pair<double, double>& s)
 {
-  std::vector<Triangle_metric> metrics(mesh.number_of_triangles());
-  parallel_for(parallel, metrics.size(), [&](std::size_t f) {
-    metrics[f] = mesh.embedding_metric(int(f)).with_area_bounded_below(degeneracy_ratio);
-  });
-  return metrics;
+  return s.first > 0 && s.second > 0 && std::isfinite(s.first) && std::isfinite(s.second);
 }
 
 // The metric of every triangle, stretched as `stretch(k1, k2)` says. Where the principal curvatures are equal, the directions
@@ -68,7 +64,7 @@ Error_code stretched_metrics(const Mesh_arrays& mesh, const std::vector<Principa
     const Principal_curvatures& k = curvatures[f];
     const std::pair<double, double> s = stretch(k.min_curvature, k.max_curvature);
     const double s1 = s.first, s2 = s.second;
-    if(!(s1 > 0 && s2 > 0 && std::isfinite(s1) && std::isfinite(s2)))
+    if(!is_valid_stretch(s))
     {
       is_valid = false;
       return;
@@ -107,10 +103,10 @@ Error_code presmooth(System& system, double weight, Progress& progress, Signal& 
     return OK;
   Weights weights;
   weights.gradient = weight;
-  system.set_metrics(embedding_metrics(system.mesh, system.parallel));
+  system.set_embedding_metric();
   system.set_weights(weights);
   Signal change;
-  if(const Error_code code = system.filter(signal, progress, change))
+  if(const Error_code code = system.solve(system.excess_of_filter(signal), int(signal.cols()), progress, change))
     return code;
   signal += change;
   return OK;

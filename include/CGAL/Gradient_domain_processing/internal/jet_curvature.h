@@ -9,11 +9,10 @@
 
 #include <CGAL/Gradient_domain_processing/internal/Jet_fitter.h>
 #include <CGAL/Gradient_domain_processing/internal/Ring_collector.h>
+#include <CGAL/Gradient_domain_processing/internal/tbb_parallel_for.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 #include <tbb/task_group.h>
 
 #include <mutex>
@@ -29,6 +28,7 @@ namespace Gradient_domain_processing {
 namespace internal {
 
 // The curvatures at the vertices of a mesh, one vertex at a time. One object serves one thread.
+template <class Fitter>
 class Jet_curvature_estimator
 {
 public:
@@ -62,7 +62,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t max_number_of_points = Jet_least_squares::max_number_of_points;
+  static constexpr std::size_t max_number_of_points = Fitter::max_number_of_points;
   static constexpr int max_number_of_additional_rings = 4;
 
   // The neighbourhood relative to its vertex and divided by its extent, which is returned.
@@ -85,8 +85,8 @@ private:
   const std::vector<Vec3>& m_points;
   const std::vector<Vec3>& m_normals;
   Ring_collector m_rings;
-  Jet_fitter m_fit;
-  Jet_fitter::Points m_neighborhood;
+  Fitter m_fit;
+  typename Fitter::Points m_neighborhood;
 
   // Two rings around a vertex of degree six hold 19 points, three hold 37: enough to average some noise away at degree 2 and 3
   // (6 and 10 coefficients) and at degree 4 (15). Where valences are low, or a border cuts the rings, more rings follow.
@@ -97,11 +97,12 @@ private:
 // Vertices between two calls of `go_on`.
 constexpr std::size_t jet_curvature_grain = 1024;
 
-inline bool jet_curvatures_in_sequence(const std::vector<Vec3>& points, const std::vector<int>& offsets,
+template <class Fitter>
+bool jet_curvatures_in_sequence(const std::vector<Vec3>& points, const std::vector<int>& offsets,
                                 const std::vector<int>& neighbors, const std::vector<Vec3>& normals, int degree,
                                 const std::function<bool(double)>& go_on, std::vector<Principal_curvatures>& result)
 {
-  Jet_curvature_estimator estimate(points, offsets, neighbors, normals, degree);
+  Jet_curvature_estimator<Fitter> estimate(points, offsets, neighbors, normals, degree);
   for(std::size_t begin = 0; begin < points.size(); begin += jet_curvature_grain)
   {
     const std::size_t end = (std::min)(begin + jet_curvature_grain, points.size());
@@ -114,18 +115,19 @@ inline bool jet_curvatures_in_sequence(const std::vector<Vec3>& points, const st
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
-inline bool jet_curvatures_in_parallel(const std::vector<Vec3>& points, const std::vector<int>& offsets,
+template <class Fitter>
+bool jet_curvatures_in_parallel(const std::vector<Vec3>& points, const std::vector<int>& offsets,
                                 const std::vector<int>& neighbors, const std::vector<Vec3>& normals, int degree,
                                 const std::function<bool(double)>& go_on, std::vector<Principal_curvatures>& result)
 {
-  typedef Jet_curvature_estimator Estimator;
+  typedef Jet_curvature_estimator<Fitter> Estimator;
   tbb::enumerable_thread_specific<Estimator> estimators([&]{ return Estimator(points, offsets, neighbors, normals, degree); });
   std::mutex mutex;
   std::size_t done = 0;
   bool is_cancelled = false;
   tbb::task_group_context context;
 
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), jet_curvature_grain),
+  tbb_parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), jet_curvature_grain),
     [&](const tbb::blocked_range<std::size_t>& range)
     {
       Estimator& estimate = estimators.local();
@@ -149,19 +151,20 @@ inline bool jet_curvatures_in_parallel(const std::vector<Vec3>& points, const st
 // outward normals and tell the sign; zero where unknown. A vertex without a well determined jet is flat.
 // `go_on(progress)` is called by one thread at a time; once it answers false, so does this function, and `result` is not
 // complete. The answer is the same to the bit whatever the concurrency.
-inline bool jet_curvatures(bool parallel, const std::vector<Vec3>& points, const std::vector<int>& offsets,
-                           const std::vector<int>& neighbors, const std::vector<Vec3>& normals, int degree,
-                           const std::function<bool(double)>& go_on, std::vector<Principal_curvatures>& result)
+template <class Fitter = Jet_fitter<> >
+bool jet_curvatures(bool parallel, const std::vector<Vec3>& points, const std::vector<int>& offsets,
+                    const std::vector<int>& neighbors, const std::vector<Vec3>& normals, int degree,
+                    const std::function<bool(double)>& go_on, std::vector<Principal_curvatures>& result)
 {
   degree = (std::min)((std::max)(degree, 2), 4);
   result.resize(points.size());
 #ifdef CGAL_LINKED_WITH_TBB
   if(parallel)
-    return jet_curvatures_in_parallel(points, offsets, neighbors, normals, degree, go_on, result);
+    return jet_curvatures_in_parallel<Fitter>(points, offsets, neighbors, normals, degree, go_on, result);
 #else
   (void)parallel;
 #endif
-  return jet_curvatures_in_sequence(points, offsets, neighbors, normals, degree, go_on, result);
+  return jet_curvatures_in_sequence<Fitter>(points, offsets, neighbors, normals, degree, go_on, result);
 }
 
 } // namespace internal

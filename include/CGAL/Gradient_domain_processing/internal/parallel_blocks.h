@@ -7,10 +7,7 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_PARALLEL_BLOCKS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_PARALLEL_BLOCKS_H
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#endif
+#include <CGAL/Gradient_domain_processing/internal/tbb_parallel_for.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -30,7 +27,7 @@ void for_each_block(bool parallel, std::size_t n, std::size_t size, const Body& 
 #ifdef CGAL_LINKED_WITH_TBB
   if(parallel && number_of_blocks > 1)
   {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, number_of_blocks, 1), [&](const tbb::blocked_range<std::size_t>& range) {
+    tbb_parallel_for(tbb::blocked_range<std::size_t>(0, number_of_blocks, 1), [&](const tbb::blocked_range<std::size_t>& range) {
       for(std::size_t block = range.begin(); block != range.end(); ++block)
         run(block);
     });

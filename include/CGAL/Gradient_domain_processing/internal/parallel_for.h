@@ -7,12 +7,9 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_PARALLEL_FOR_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_PARALLEL_FOR_H
 
-#include <CGAL/tags.h>
+#include <CGAL/Gradient_domain_processing/internal/tbb_parallel_for.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#endif
+#include <CGAL/tags.h>
 
 #include <cstddef>
 #include <type_traits>
@@ -30,7 +27,7 @@ void parallel_for(bool parallel, std::size_t n, const Body& body)
   const std::size_t grain = 2048; // below it, a task costs more than it saves
   if(parallel && n > grain)
   {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain), [&](const tbb::blocked_range<std::size_t>& range) {
+    tbb_parallel_for(tbb::blocked_range<std::size_t>(0, n, grain), [&](const tbb::blocked_range<std::size_t>& range) {
       for(std::size_t i = range.begin(); i != range.end(); ++i)
         body(i);
     });
