@@ -76,6 +76,9 @@ class Denoiser
   Signal m_input;
   std::vector<Vec3> m_face_normals;
   std::vector<char> m_is_near_border; // by face
+  std::vector<Interior_edge> m_border_edges;
+  Normal_variation m_border_variation;
+  std::vector<Vec3> m_settled_normals; // of faces at the border, once there are
 
 public:
   Denoiser(Solver& solver, FaceSystem& face_system, const Denoising_options& options)
@@ -98,7 +101,9 @@ public:
     if(noise.level == 0)
       return OK;
     prepare_positions(noise);
+    prepare_border();
 
+    Normal_variation variation;
     const int passes = m_options.passes >= 0 ? m_options.passes : Denoising_options::most_passes;
     for(int k = 0; k < passes; ++k)
     {
@@ -108,11 +113,18 @@ public:
       for(int i = 0; i < m_options.position_updates; ++i)
         if(const Error_code code = fit_positions())
           return code;
-      if(m_options.passes < 0 && removes_detail(noise, rings))
+      const Face_geometry faces(m_mesh);
+      if(m_options.passes < 0 && removes_detail(noise, rings, faces))
       {
         m_solver.set_points(before);
         break;
       }
+      if(k >= 3)
+        settle_border(faces);
+      const Normal_variation last = variation;
+      variation = Normal_variation(faces, m_face_system.edges());
+      if(m_options.passes < 0 && (k == 5 || k == 6) && variation.is_of_smooth_surface(last))
+        break;
     }
     return OK;
   }
@@ -134,11 +146,28 @@ private:
       if(m_mesh.is_on_border[v])
         weights.value_at_vertex[v] *= (std::max)(least, at_border);
     system.set_weights(weights);
+  }
 
+  void prepare_border()
+  {
     m_is_near_border.resize(m_mesh.triangles.size());
     for(std::size_t f = 0; f < m_is_near_border.size(); ++f)
       for(int v : m_mesh.triangles[f])
         m_is_near_border[f] |= m_mesh.is_on_border[v];
+    for(const Interior_edge& e : m_face_system.edges())
+      if(m_is_near_border[e.first] && m_is_near_border[e.second])
+        m_border_edges.push_back(e);
+  }
+
+  // Further passes wear off a border that no longer becomes smoother: its faces keep their normals.
+  void settle_border(const Face_geometry& faces)
+  {
+    if(m_border_edges.empty() || !m_settled_normals.empty())
+      return;
+    const Normal_variation last = m_border_variation;
+    m_border_variation = Normal_variation(faces, m_border_edges);
+    if(m_border_variation.is_settled(last))
+      m_settled_normals = m_face_normals;
   }
 
   double mean_edge_length() const
@@ -187,6 +216,10 @@ private:
           m_face_normals[f] = solution.row(f).transpose() / length;
       }
     }
+    if(!m_settled_normals.empty())
+      for(std::size_t f = 0; f < m_face_normals.size(); ++f)
+        if(m_is_near_border[f])
+          m_face_normals[f] = m_settled_normals[f];
     return OK;
   }
 
@@ -207,9 +240,8 @@ private:
   }
 
   // What was taken away should look like noise: uncorrelated from vertex to vertex.
-  bool removes_detail(const Noise_estimate& noise, const Lists& rings) const
+  bool removes_detail(const Noise_estimate& noise, const Lists& rings, const Face_geometry& faces) const
   {
-    const Face_geometry faces(m_mesh);
     const std::vector<Vec3> normals = vertex_normals(m_mesh, faces.areas, m_face_normals);
     std::vector<double> removed(m_mesh.points.size());
     for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
@@ -258,7 +290,9 @@ Error_code denoise(Solver solver, TriangleMesh& tm, const NamedParameters& np)
  * - the positions by equation 1 of the paper, under the metric of equilateral triangles, with the values of the noisy input and the
  *   target \f$ v = (I - n n^T) \nabla x \f$, the tangential part of the current gradients. So vertices do not slide.
  *
- * The passes go on while what they remove looks like noise, at most 20 times. A clean mesh is returned as it is.
+ * The passes go on while what they remove looks like noise, 20 times at most; where no flat pieces between creases have come out
+ * after 6 or 7 passes and normals have settled, the surface is smooth and they end. A clean mesh is returned as it is: its roughness
+ * is not taken for noise where neighbouring vertices stand out together, or lie in the planes of larger facets.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, with a vertex point map that can be written
  *
@@ -339,7 +373,7 @@ Error_code denoise(Solver solver, TriangleMesh& tm, const NamedParameters& np)
  *     \cgalParamDefault{`3`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{border_normal_decay}
- *     \cgalParamDescription{by which the smoothing of normals at the border is multiplied from pass to pass; 0.8 to 1}
+ *     \cgalParamDescription{by which the smoothing of normals at the border is multiplied from pass to pass; 0.8 to 1. From the fifth pass on, normals of border faces stay once they have settled.}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{`0.85`}
  *   \cgalParamNEnd

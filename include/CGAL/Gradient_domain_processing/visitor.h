@@ -7,7 +7,10 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_VISITOR_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_VISITOR_H
 
+#include <CGAL/Gradient_domain_processing/Error_code.h>
 #include <CGAL/Gradient_domain_processing/parameters.h>
+
+#include <boost/graph/graph_traits.hpp>
 
 #include <functional>
 #include <memory>
@@ -69,6 +72,12 @@ struct Default_visitor
   /// is called at the beginning of every stage, and regularly within long ones, with the part in [0,1] of the current
   /// stage that is done. The computation stops with `ERROR_CANCELLED` where this returns `false`.
   bool go_on(double) { return true; }
+  /// is called before an error is returned that one vertex is to blame for, with the first such vertex.
+  template <class vertex_descriptor>
+  void invalid_vertex(Error_code, vertex_descriptor) {}
+  /// is called before an error is returned that one face is to blame for, with the first such face.
+  template <class face_descriptor>
+  void invalid_face(Error_code, face_descriptor) {}
 };
 
 namespace internal {
@@ -83,8 +92,17 @@ public:
   virtual bool go_on(double) { return true; }
 };
 
-template <class Visitor>
-class Visitor_progress : public Progress
+// What the code sees that knows the mesh.
+template <class Graph>
+class Mesh_progress : public Progress
+{
+public:
+  virtual void invalid_vertex(Error_code, typename boost::graph_traits<Graph>::vertex_descriptor) {}
+  virtual void invalid_face(Error_code, typename boost::graph_traits<Graph>::face_descriptor) {}
+};
+
+template <class Graph, class Visitor>
+class Visitor_progress : public Mesh_progress<Graph>
 {
   Visitor m_visitor;
 
@@ -93,6 +111,8 @@ public:
   void begin(Stage stage) override { get().stage_begins(stage); }
   void end(Stage stage) override { get().stage_ends(stage); }
   bool go_on(double done) override { return get().go_on(done); }
+  void invalid_vertex(Error_code code, typename boost::graph_traits<Graph>::vertex_descriptor v) override { get().invalid_vertex(code, v); }
+  void invalid_face(Error_code code, typename boost::graph_traits<Graph>::face_descriptor f) override { get().invalid_face(code, f); }
 
 private:
   template <class V> static V& unwrap(V& v) { return v; }
@@ -100,11 +120,11 @@ private:
   auto& get() { return unwrap(m_visitor); }
 };
 
-template <class NamedParameters>
+template <class Graph, class NamedParameters>
 auto make_progress(const NamedParameters& np)
 {
   auto visitor = parameter(np, CGAL::internal_np::visitor, Default_visitor());
-  return std::make_shared<Visitor_progress<decltype(visitor)> >(visitor);
+  return std::make_shared<Visitor_progress<Graph, decltype(visitor)> >(visitor);
 }
 
 // A stage for as long as it lives.

@@ -8,6 +8,7 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_H
 
 #include <CGAL/Gradient_domain_processing/Error_code.h>
+#include <CGAL/Gradient_domain_processing/internal/Sequential_blas_scope.h>
 
 #include <CGAL/Eigen_solver_traits.h>
 
@@ -197,6 +198,8 @@ private:
   template <class Work>
   static Error_code guarded(const Work& work)
   {
+    const Sequential_blas_scope sequential;
+    (void)sequential;
     try { return work() ? OK : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM; }
     catch(const std::bad_alloc&) { return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM; }
   }
