@@ -34,22 +34,30 @@ function(gradient_domain_processing_programs kind)
   endforeach()
 endfunction()
 
-# gradient_domain_filter, built once for whoever needs it; without Boost.Program_options there is no such target.
+# gradient_domain_filter and, as a library, all of it but main(); built once for whoever needs them. Without
+# Boost.Program_options there are no such targets.
 function(gradient_domain_processing_filter)
   get_filename_component(folder ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../examples/Gradient_domain_processing ABSOLUTE)
   set(source ${folder}/gradient_domain_filter.cpp)
-  if(TARGET gradient_domain_filter OR NOT EXISTS ${source})
+  if(NOT EXISTS ${source})
     return()
   endif()
-  find_package(Boost QUIET COMPONENTS program_options)
+  find_package(Boost QUIET COMPONENTS program_options) # its targets are seen in the calling folder only
   if(NOT TARGET Boost::program_options)
     message(STATUS "Boost.Program_options was not found: gradient_domain_filter will not be built")
     return()
   endif()
+  if(TARGET gradient_domain_filter)
+    return()
+  endif()
   file(GLOB parts CONFIGURE_DEPENDS ${folder}/gradient_domain_filter/*.cpp)
-  add_executable(gradient_domain_filter ${source} ${parts})
-  set_target_properties(gradient_domain_filter PROPERTIES CXX_EXTENSIONS OFF)
-  target_compile_definitions(gradient_domain_filter PRIVATE
+  add_library(gradient_domain_filter_parts STATIC ${parts})
+  set_target_properties(gradient_domain_filter_parts PROPERTIES CXX_EXTENSIONS OFF)
+  target_include_directories(gradient_domain_filter_parts INTERFACE ${folder}/gradient_domain_filter)
+  target_compile_definitions(gradient_domain_filter_parts PRIVATE
     GRADIENT_DOMAIN_PROCESSING_VERSION="${Gradient_domain_processing_VERSION}")
-  target_link_libraries(gradient_domain_filter PRIVATE CGAL::Gradient_domain_processing Boost::program_options)
+  target_link_libraries(gradient_domain_filter_parts PUBLIC CGAL::Gradient_domain_processing Boost::program_options)
+  add_executable(gradient_domain_filter ${source})
+  set_target_properties(gradient_domain_filter PROPERTIES CXX_EXTENSIONS OFF)
+  target_link_libraries(gradient_domain_filter PRIVATE gradient_domain_filter_parts)
 endfunction()

@@ -70,7 +70,7 @@ std::map<std::string, double> in_turns(int repetitions, const std::vector<std::p
   return medians;
 }
 
-struct Stage_times
+struct Stage_times : GDP::Default_visitor
 {
   std::map<std::string, double> sums;
   std::chrono::steady_clock::time_point begin;
@@ -80,7 +80,6 @@ struct Stage_times
   {
     sums[GDP::get_stage_name(stage)] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   }
-  bool go_on(double) { return true; }
 };
 
 void require(GDP::Error_code code)
@@ -147,7 +146,7 @@ void benchmark_assembly(const Mesh& mesh, int repetitions)
   GDP::internal::Sparse_matrix pattern
     = GDP::internal::sparsity_pattern(system.mesh.one_rings(true), system.unknowns(), true, true);
   const auto refill = [&](bool parallel) {
-    GDP::internal::assemble(system.mesh, system.metrics(), system.weights(), system.unknowns(), parallel, pattern);
+    GDP::internal::assemble(system.mesh, GDP::internal::Face_metrics(), system.weights(), system.unknowns(), parallel, pattern);
   };
   print("assembly", mesh, in_turns(repetitions, {{"triplets", by_triplets},
                                                  {"sequential", [&] { refill(false); }},

@@ -60,6 +60,11 @@ def run(command, environment=None):
     return time.perf_counter() - begin, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
 
 
+def number_of_vertices(path):
+    with open(path, "rb") as stream:
+        return int(next(line for line in stream if line.startswith(b"element vertex")).split()[2])
+
+
 def compare(size, path, commands, repetitions, folder):
     """The commands in turns; a list of results."""
     times = {name: [] for name in commands}
@@ -69,7 +74,7 @@ def compare(size, path, commands, repetitions, folder):
             times[name].append(run(words))
     results = []
     for name, values in times.items():
-        result = {"mesh": size, "command": name, "seconds": statistics.median(v[0] for v in values),
+        result = {"mesh": size, "vertices": number_of_vertices(path), "command": name, "seconds": statistics.median(v[0] for v in values),
                   "cpu_seconds": statistics.median(v[1] for v in values), "megabytes": max(v[2] for v in values)}
         results.append(result)
         print(f"{size:>6} {name:<24} {result['seconds']:9.2f} s {result['cpu_seconds']:9.2f} CPU s {result['megabytes']:9.0f} MB", flush=True)
@@ -98,6 +103,7 @@ def main():
                   **dict(p.split("=", 1) for p in options.edge_aware_peer)}
     report = {"date": datetime.date.today().isoformat(), "machine": platform.machine(), "cores": os.cpu_count(),
               "processor": next((l.split(":", 1)[1].strip() for l in open("/proc/cpuinfo") if l.startswith("model name")), ""),
+              "system": " ".join(platform.freedesktop_os_release().get(k, "") for k in ("NAME", "VERSION_ID")).strip(),
               "version": subprocess.run([program, "--version"], capture_output=True, text=True).stdout.strip(),
               "isotropic": [], "edge_aware": [], "growth": [], "parts": []}
 

@@ -355,6 +355,13 @@ class Figures:
         width = max(panel.shape[1] for row in rows for panel in row)
         write_png(os.path.join(self.output, "noise.png"), [[centered(panel, width) for panel in row] for row in rows])
 
+    def denoising(self):
+        clean, view = self.mesh("fandisk_large"), "fandisk_large"
+        noisy = clean.with_noise(0.2)
+        panels = [clean, noisy, self.programs.filter(noisy, gradient_weight="1e-4"), self.programs.filter(noisy, operation="denoise")]
+        labels = ["clean", "noisy", "isotropic", "denoise()"]
+        self.save("denoising", [[render(m, view, noisy, (330, 300), l) for m, l in zip(panels, labels)]])
+
     def metrics(self):
         noisy, view = self.mesh("fandisk_large").with_noise(0.2), "fandisk_large"
         panels = [render(noisy, view, noisy, (400, 360), "input")]
@@ -414,7 +421,7 @@ class Figures:
         self.save("stitch", [panels])
 
 
-NAMES = ["smooth_sharpen", "weight_sweep", "noise", "metrics", "one_sided", "two_passes", "curvature", "masks", "stitch"]
+NAMES = ["smooth_sharpen", "weight_sweep", "noise", "denoising", "metrics", "one_sided", "two_passes", "curvature", "masks", "stitch"]
 
 
 def main():

@@ -17,6 +17,7 @@
 #include <limits>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace GDP = CGAL::Gradient_domain_processing;
@@ -269,6 +270,66 @@ void test_meshes_and_options()
   GDP_CHECK(same_points(copy, lonely));
 }
 
+// ---- whom an error is about
+
+struct Blaming_visitor : GDP::Default_visitor
+{
+  std::vector<std::pair<GDP::Error_code, std::size_t> > vertices, faces;
+
+  void invalid_vertex(GDP::Error_code code, Vertex v) { vertices.emplace_back(code, v); }
+  void invalid_face(GDP::Error_code code, Face f) { faces.emplace_back(code, f); }
+
+  bool takes(GDP::Error_code code, const char* kind, std::size_t i)
+  {
+    const std::vector<std::pair<GDP::Error_code, std::size_t> > one = {{code, i}}, none;
+    const bool holds = vertices == (*kind == 'v' ? one : none) && faces == (*kind == 'f' ? one : none);
+    vertices.clear();
+    faces.clear();
+    return holds;
+  }
+};
+
+void test_blame()
+{
+  Problem p;
+  Blaming_visitor visitor;
+  const auto solver = [&] {
+    return GDP::make_gradient_domain_solver(p.mesh, GDP::parameters::vertex_value_weight_map(p.alpha).face_gradient_weight_map(p.beta)
+      .face_gradient_scale_map(p.lambda).visitor(std::ref(visitor)));
+  };
+  const Vertex v(7), later(20);
+  const Face f(5);
+
+  p.alpha[v] = p.alpha[later] = -1;
+  GDP_CHECK(solver().error() == GDP::ERROR_INVALID_WEIGHT && visitor.takes(GDP::ERROR_INVALID_WEIGHT, "vertex", v));
+  p.alpha[v] = p.alpha[later] = 1;
+  p.beta[f] = nan_value;
+  GDP_CHECK(solver().error() == GDP::ERROR_INVALID_WEIGHT && visitor.takes(GDP::ERROR_INVALID_WEIGHT, "face", f));
+  p.beta[f] = 1;
+  p.lambda[f] = inf;
+  GDP_CHECK(solver().error() == GDP::ERROR_INVALID_WEIGHT && visitor.takes(GDP::ERROR_INVALID_WEIGHT, "face", f));
+  p.lambda[f] = 0;
+
+  auto good = solver();
+  GDP_CHECK(good.error() == GDP::OK);
+  p.in[v] = p.in[later] = nan_value;
+  GDP_CHECK(good.filter(p.in, p.out) == GDP::ERROR_INVALID_SIGNAL && visitor.takes(GDP::ERROR_INVALID_SIGNAL, "vertex", v));
+  const auto flat = [](double, double) { return std::make_pair(1., 0.); };
+  GDP_CHECK(good.set_metric_from_parameters(GDP::parameters::curvature_metric_kind(flat)) == GDP::ERROR_INVALID_METRIC);
+  GDP_CHECK(visitor.takes(GDP::ERROR_INVALID_METRIC, "face", 0));
+  p.metric[f] = GDP::Triangle_metric(1, 2, 1);
+  GDP_CHECK(good.set_metric(p.metric) == GDP::ERROR_INVALID_METRIC && visitor.takes(GDP::ERROR_INVALID_METRIC, "face", f));
+
+  const Point point = p.mesh.point(v);
+  p.mesh.point(v) = p.mesh.point(later) = Point(0, 1e151, 0);
+  GDP_CHECK(solver().error() == GDP::ERROR_INVALID_POINT && visitor.takes(GDP::ERROR_INVALID_POINT, "vertex", v));
+  p.mesh.point(v) = p.mesh.point(later) = point;
+  const auto a = p.mesh.add_vertex(point), b = p.mesh.add_vertex(point), c = p.mesh.add_vertex(point), d = p.mesh.add_vertex(point);
+  const Face quad = p.mesh.add_face(a, b, c, d);
+  GDP_CHECK(solver().error() == GDP::ERROR_NON_TRIANGULAR_MESH && visitor.takes(GDP::ERROR_NON_TRIANGULAR_MESH, "face", quad));
+  p.check_untouched();
+}
+
 // ---- cancelling
 
 void test_cancelling()
@@ -312,6 +373,7 @@ int main()
   test_maps();
   test_numbers();
   test_meshes_and_options();
+  test_blame();
   test_cancelling();
   return GDP_TEST_RESULT();
 }

@@ -12,6 +12,8 @@
 #include <CGAL/Gradient_domain_processing/denoise.h>
 #include <CGAL/Gradient_domain_processing/process_face_signal.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -126,6 +128,149 @@ void keeps_what_it_must()
   GDP_CHECK(same_points(mesh, noisy));
 }
 
+// A bumpy sphere: rough, but all of it is the surface.
+Mesh bumpy_sphere(int n, int bumps, double height)
+{
+  Mesh mesh = mesh_of(sphere(n));
+  for(Vertex v : mesh.vertices())
+  {
+    const Vec p = vec(mesh.point(v));
+    const Vec q = p * (1 + height * std::sin(bumps * p[0]) * std::sin(bumps * p[1]) * std::sin(bumps * p[2]));
+    mesh.point(v) = Point(q[0], q[1], q[2]);
+  }
+  return mesh;
+}
+
+// Every face in four, in its plane.
+Mesh refined(const Mesh& mesh)
+{
+  Mesh result;
+  for(Vertex v : mesh.vertices())
+    result.add_vertex(mesh.point(v));
+  std::vector<Vertex> middle;
+  for(auto e : mesh.edges())
+    middle.push_back(result.add_vertex(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)))));
+  for(Face f : mesh.faces())
+  {
+    std::array<Vertex, 3> corner, side; // a side ends in its corner
+    int i = 0;
+    for(auto h : mesh.halfedges_around_face(mesh.halfedge(f)))
+    {
+      corner[i] = mesh.target(h);
+      side[i++] = middle[mesh.edge(h)];
+    }
+    for(i = 0; i < 3; ++i)
+      result.add_face(corner[i], side[(i + 1) % 3], side[i]);
+    result.add_face(side[0], side[1], side[2]);
+  }
+  return result;
+}
+
+void keeps_detail()
+{
+  for(const Mesh& clean : {bumpy_sphere(40, 12, 0.1), refined(bumpy_sphere(14, 6, 0.2)), mesh_of(ellipsoid(10, Vec(1, 0.5, 0.25)))})
+  {
+    Mesh mesh = clean;
+    GDP_CHECK(GDP::denoise(mesh) == GDP::OK);
+    const double moved = mean_normal_angle(clean, mesh);
+    add_noise(mesh, 0.2);
+    const Mesh noisy = mesh;
+    GDP_CHECK(GDP::denoise(mesh) == GDP::OK);
+    std::cout << "clean " << moved << " degrees, noisy " << mean_normal_angle(clean, noisy) << ", denoised " << mean_normal_angle(clean, mesh) << std::endl;
+    GDP_CHECK(moved < 0.5);
+    GDP_CHECK(mean_normal_angle(clean, mesh) < 0.8 * mean_normal_angle(clean, noisy));
+  }
+}
+
+// Facets as rough as can be are no noise where they are refined.
+void keeps_facets()
+{
+  Mesh facets = mesh_of(sphere(14));
+  add_noise(facets, 0.15);
+  const Mesh clean = refined(facets);
+  Mesh mesh = clean;
+  GDP_CHECK(GDP::denoise(mesh, GDP::parameters::number_of_iterations(5)) == GDP::OK); // so that no pass is taken back
+  GDP_CHECK(mean_normal_angle(clean, mesh) < 0.5);
+}
+
+// The number of passes that gives the same when it is named.
+int passes_by_default(const Mesh& noisy)
+{
+  Mesh expected = noisy;
+  GDP_CHECK(GDP::denoise(expected) == GDP::OK);
+  for(int passes = 0; passes <= 20; ++passes)
+  {
+    Mesh mesh = noisy;
+    GDP_CHECK(GDP::denoise(mesh, GDP::parameters::number_of_iterations(passes)) == GDP::OK);
+    if(same_points(mesh, expected))
+      return passes;
+  }
+  return -1;
+}
+
+void chooses_passes()
+{
+  Mesh creased = mesh_of(cubes({{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}}, 12));
+  add_noise(creased, 0.3);
+  Mesh smooth = bumpy_sphere(40, 6, 0.2);
+  add_noise(smooth, 0.2);
+  const int of_creased = passes_by_default(creased), of_smooth = passes_by_default(smooth);
+  std::cout << "passes: creased " << of_creased << ", smooth " << of_smooth << std::endl;
+  GDP_CHECK(of_creased >= 15);
+  GDP_CHECK(of_smooth >= 4 && of_smooth <= 7);
+}
+
+double mean_border_angle(const Mesh& a, const Mesh& b) // in degrees
+{
+  double sum = 0;
+  int count = 0;
+  for(Face f : a.faces())
+    if(a.is_border(corners(a, f)[0]) || a.is_border(corners(a, f)[1]) || a.is_border(corners(a, f)[2]))
+    {
+      const Vec m = area_vector(a, f).normalized(), n = area_vector(b, f).normalized();
+      sum += std::atan2(m.cross(n).norm(), m.dot(n));
+      ++count;
+    }
+  return sum / count * 180 / pi;
+}
+
+void keeps_borders(const Mesh& clean)
+{
+  Mesh noisy = clean;
+  add_noise(noisy, 0.2);
+  Mesh few = noisy, many = noisy;
+  GDP_CHECK(GDP::denoise(few, GDP::parameters::number_of_iterations(5)) == GDP::OK);
+  GDP_CHECK(GDP::denoise(many, GDP::parameters::number_of_iterations(20)) == GDP::OK);
+  const double after_few = mean_border_angle(clean, few), after_many = mean_border_angle(clean, many);
+  std::cout << "border " << mean_border_angle(clean, noisy) << " degrees, after 5 passes " << after_few << ", after 20 " << after_many << std::endl;
+  GDP_CHECK(after_many < after_few + 0.1);
+  GDP_CHECK(after_few < 0.7 * mean_border_angle(clean, noisy));
+}
+
+// An open surface with waves that end at its border.
+Mesh waves(int n, double height)
+{
+  Mesh mesh = mesh_of(jittered_square(n));
+  for(Vertex v : mesh.vertices())
+  {
+    const Vec p = vec(mesh.point(v));
+    mesh.point(v) = Point(p[0], p[1], height * std::sin(9 * p[0]) * std::cos(9 * p[1]));
+  }
+  return mesh;
+}
+
+// Two planes that meet.
+Mesh wedge(int n)
+{
+  Mesh mesh = mesh_of(square(n));
+  for(Vertex v : mesh.vertices())
+  {
+    const Vec p = vec(mesh.point(v));
+    mesh.point(v) = Point(p[0], p[1], std::abs(p[0] - 0.5));
+  }
+  return mesh;
+}
+
 void stays_finite()
 {
   Mesh mesh = mesh_of(jittered_square(14));
@@ -210,6 +355,11 @@ int main()
   removes_noise(sphere(24), 0.2, 6.);
   removes_noise(jittered_square(24), 0.3, 6.); // open and flat
   keeps_what_it_must();
+  keeps_detail();
+  keeps_facets();
+  chooses_passes();
+  keeps_borders(wedge(20));
+  keeps_borders(waves(40, 0.1));
   stays_finite();
   solves_face_signals();
   return GDP_TEST_RESULT();

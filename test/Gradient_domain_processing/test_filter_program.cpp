@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh/IO/OFF.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
+#include <CGAL/Gradient_domain_processing/denoise.h>
 #include <CGAL/Gradient_domain_processing/smooth.h>
 
 #include <algorithm>
@@ -22,11 +23,13 @@
 #include <fstream>
 #include <random>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <sys/wait.h>
+#include <unistd.h>
 #endif
 
 namespace fs = std::filesystem;
@@ -64,11 +67,11 @@ struct Outcome
   std::string out, err;
 };
 
-// Arguments are words without quotes; files are in our folder.
-Outcome run(const std::string& arguments)
+// Arguments are words without quotes; files are in our folder. `before` is shell text before the program.
+Outcome run(const std::string& arguments, const std::string& before = std::string())
 {
   const fs::path out = folder / "stdout", err = folder / "stderr";
-  const std::string command = "cd \"" + folder.string() + "\" && \"" + program + "\" " + arguments + " >stdout 2>stderr";
+  const std::string command = "cd \"" + folder.string() + "\" && { " + before + " \"" + program + "\" " + arguments + "; } >stdout 2>stderr";
   int code = std::system(command.c_str());
 #if defined(__unix__) || defined(__APPLE__)
   code = WIFEXITED(code) ? WEXITSTATUS(code) : -1;
@@ -85,10 +88,10 @@ bool is_one_line(const std::string& text)
 }
 
 // One line that names `what`, the right code, and no trace in the folder.
-void check_fails(const std::string& arguments, int code, const std::string& what)
+void check_fails(const std::string& arguments, int code, const std::string& what, const std::string& before = std::string())
 {
   const std::size_t files = number_of_files();
-  const Outcome outcome = run(arguments);
+  const Outcome outcome = run(arguments, before);
   const bool holds = outcome.code == code && is_one_line(outcome.err) && outcome.err.find(what) != std::string::npos
                      && outcome.out.empty() && number_of_files() == files;
   if(!GDP_CHECK(holds))
@@ -156,6 +159,7 @@ void test_usage()
   check_fails("mesh out.ply", 2, "extension");
   check_fails("mesh.off out.ply --no-such-option", 2, "no-such-option");
   check_fails("mesh.off out.ply -x", 2, "-x");
+  check_fails("mesh.off out.ply --value-weight %value%", 2, "%value%");
   check_fails("mesh.off out.ply --metric", 2, "metric");
   check_fails("mesh.off out.ply --metric round", 2, "edge-aware");
   check_fails("mesh.off out.ply --gradient-weight much", 2, "gradient-weight");
@@ -177,6 +181,8 @@ void test_usage()
   check_fails("mesh.off out.ply --operation enhance-details --signal color", 2, "contradicts");
   check_fails("mesh.off out.ply --sharpening-scale 2", 2, "enhance-details");
   check_fails("mesh.off out.ply --report out.ply", 2, "report");
+  check_fails("mesh.off out.ply --report ./mesh.off", 2, "report");
+  check_fails("mesh.off out.ply --report ./out.ply", 2, "report");
   GDP_CHECK(run("--help").code == 0);
   GDP_CHECK(run("--help").out.find("--gradient-weight") != std::string::npos);
   GDP_CHECK(run("--version").out.find("gradient_domain_filter") == 0);
@@ -209,6 +215,11 @@ void test_bad_files(const Mesh& mesh)
   fails("bad.off", "OFF\n3 4000000000 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "4000000000");
   fails("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n", "face 0");
   fails("bad.off", "OFF\n3 1 0\n0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n", "vertex 1");
+  fails("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1e151 0\n3 0 1 2\n", "vertex 2: ");
+  write(folder / "normals.off", "NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 nan 1\n0 1 0 0 0 1\n3 0 1 2\n");
+  check_fails("normals.off out.ply --signal normal", 1, "normals.off: vertex 1: ");
+  check_fails("normals.off out.ply --metric edge-aware", 1, "normals.off: vertex 1: ");
+  fs::remove(folder / "normals.off");
   fails("bad.off", "OFF\n3 1 0\n0 0 0\n1 x 0\n0 1 0\n3 0 1 2\n", "vertex 1");
   fails("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "does not exist");
   fails("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "does not exist");
@@ -232,19 +243,28 @@ void test_bad_files(const Mesh& mesh)
   fails("bad.ply", head + "element vertex 1\n" + xyz + "element face 1\nproperty list uint int vertex_indices\nend_header\n"
                    + std::string(12, '\0') + "\xff\xff\xff\xff", "ends");
 
-  // truncated anywhere
-  check_succeeds("mesh.off whole.ply");
-  for(const char* encoding : {"--binary", "--ascii"})
+  // truncated at every kilobyte
+  for(const char* arguments : {"whole.ply --binary", "whole.ply --ascii", "whole.stl --binary", "whole.stl --ascii", "whole.off"})
   {
-    check_succeeds(std::string("mesh.off whole.ply ") + encoding);
-    const std::string whole = contents(folder / "whole.ply");
-    const std::size_t longest = whole.size() - (whole.back() == '\n' ? 2 : 1);
-    for(std::size_t k = 0; k <= 40; ++k)
-      fails("cut.ply", whole.substr(0, longest * k / 40), "cut.ply: ");
+    const std::string words(arguments), name = words.substr(0, words.find(' ')), extension = name.substr(name.find('.'));
+    check_succeeds("mesh.off " + words);
+    const std::string whole = contents(folder / name);
+    fs::remove(folder / name);
+    GDP_CHECK(whole.size() > 5000);
+    for(std::size_t size = 0; size < whole.size() - 1; size += 1024)
+      fails("cut" + extension, whole.substr(0, size), "cut" + extension + ": ");
   }
-  for(std::size_t k = 0; k <= 20; ++k)
-    fails("cut.off", off.substr(0, off.size() / 21 * k), "cut.off: ");
-  fs::remove(folder / "whole.ply");
+  check_succeeds("mesh.off whole.obj"); // does not say how long it is: what is there is taken, if it makes a mesh
+  const std::string obj = contents(folder / "whole.obj");
+  fs::remove(folder / "whole.obj");
+  for(std::size_t size = 0; size < obj.size(); size += 1024)
+  {
+    write(folder / "cut.obj", obj.substr(0, size));
+    const Outcome outcome = run("cut.obj cut.ply");
+    GDP_CHECK(outcome.code == 0 ? outcome.err.empty() : outcome.code == 1 && is_one_line(outcome.err));
+    fs::remove(folder / "cut.obj");
+    fs::remove(folder / "cut.ply");
+  }
   GDP_CHECK(contents(folder / "out.ply") == "as it was");
   fs::remove(folder / "out.ply");
   check_fails("properties.ply out.ply --constrain nothing", 1, "'nothing'");
@@ -253,9 +273,60 @@ void test_bad_files(const Mesh& mesh)
   GDP_CHECK(mesh.number_of_faces() > 0);
 }
 
+// Nothing can be written, or not all of it.
+void test_no_room()
+{
+#if defined(__unix__) || defined(__APPLE__)
+  const std::string off = contents(folder / "mesh.off");
+  const auto unwritable = [&](const std::string& arguments, const std::string& what, const std::string& before) {
+    check_fails(arguments, 1, what, before);
+    GDP_CHECK(contents(folder / "mesh.off") == off);
+  };
+  // as on a full disk, writing fails in the middle
+  write(folder / "out.ply", "as it was");
+  unwritable("mesh.off out.ply", "out.ply: cannot be written", "ulimit -f 8;");
+  GDP_CHECK(contents(folder / "out.ply") == "as it was");
+  unwritable("mesh.off mesh.off", "mesh.off: cannot be written", "ulimit -f 8;");
+  unwritable("mesh.off new.stl", "new.stl: cannot be written", "ulimit -f 8;");
+  if(fs::exists("/dev/full"))
+  {
+    fs::create_symlink("/dev/full", folder / "full.ply");
+    unwritable("mesh.off full.ply", "full.ply: not a regular file", "");
+    unwritable("mesh.off out.ply --report full.ply", "full.ply: not a regular file", "");
+    unwritable("full.ply out.ply", "full.ply: not a regular file", "");
+    fs::remove(folder / "full.ply");
+  }
+  fs::remove(folder / "out.ply");
+
+  // the superuser may do everything, so be somebody else
+  const std::string nobody = ::geteuid() == 0 ? "setpriv --reuid 65534 --regid 65534 --clear-groups" : "";
+  fs::permissions(folder, fs::perms::all);
+  if(run("--version", nobody).code == 0)
+  {
+    fs::create_directory(folder / "closed");
+    write(folder / "closed" / "out.ply", "as it was");
+    write(folder / "secret.off", off);
+    fs::permissions(folder / "closed" / "out.ply", fs::perms::owner_read);
+    fs::permissions(folder / "closed", fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_exec);
+    fs::permissions(folder / "secret.off", fs::perms::none);
+    unwritable("mesh.off closed/new.ply", "closed/new.ply: no permission to write into closed", nobody);
+    unwritable("mesh.off closed/out.ply", "closed/out.ply: no permission to write", nobody);
+    unwritable("secret.off out.ply", "secret.off: cannot be opened", nobody);
+    fs::permissions(folder / "closed", fs::perms::owner_all);
+    GDP_CHECK(contents(folder / "closed" / "out.ply") == "as it was");
+    GDP_CHECK(std::distance(fs::directory_iterator(folder / "closed"), fs::directory_iterator()) == 1);
+    fs::remove_all(folder / "closed");
+    fs::remove(folder / "secret.off");
+  }
+  else
+    std::cerr << "missing permissions are not tested: the program cannot be run by another user" << std::endl;
+#endif
+}
+
 double largest_difference(const Mesh& a, const Mesh& b)
 {
-  GDP_CHECK(a.number_of_vertices() == b.number_of_vertices() && a.number_of_faces() == b.number_of_faces());
+  if(a.number_of_vertices() != b.number_of_vertices() || a.number_of_faces() != b.number_of_faces())
+    throw std::runtime_error("meshes of different size");
   double largest = 0;
   for(auto v : a.vertices())
     largest = (std::max)(largest, std::sqrt(CGAL::squared_distance(a.point(v), b.point(v))));
@@ -296,7 +367,11 @@ void test_result(const Mesh& mesh)
   fs::copy_file(folder / "mesh.off", folder / "same.off");
   check_succeeds("same.off same.off" + options);
   GDP_CHECK(contents(folder / "same.off") == contents(folder / "out.off"));
-  for(const char* name : {"same.off", "out.off", "out.ply", "back.off", "a.stl", "b.stl"})
+  fs::copy_file(folder / "mesh.off", folder / "same.off", fs::copy_options::overwrite_existing);
+  fs::create_symlink("same.off", folder / "link.off");
+  check_succeeds("same.off link.off" + options);
+  GDP_CHECK(fs::is_symlink(folder / "link.off") && contents(folder / "same.off") == contents(folder / "out.off"));
+  for(const char* name : {"link.off", "same.off", "out.off", "out.ply", "back.off", "a.stl", "b.stl"})
     fs::remove(folder / name);
 }
 
@@ -306,11 +381,16 @@ auto existing_map(const Mesh& mesh, const std::string& name)
 {
   const auto found = mesh.property_map<Key, Value>(name);
 #if CGAL_VERSION_NR < 1060000000
-  GDP_CHECK(found.second);
+  const bool exists = found.second;
+#else
+  const bool exists = found.has_value();
+#endif
+  if(!exists)
+    throw std::runtime_error("no property " + name);
+#if CGAL_VERSION_NR < 1060000000
   return found.first;
 #else
-  GDP_CHECK(found.has_value());
-  return found.value_or(Mesh::Property_map<Key, Value>());
+  return *found;
 #endif
 }
 
@@ -411,6 +491,56 @@ void test_other_operations(const Mesh& mesh)
   write(folder / "quad.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");
   check_succeeds("quad.off out.ply --triangulate");
   GDP_CHECK(read_ply("out.ply").number_of_faces() == 2);
+
+  // polygons that are not convex, one with many corners, and what the faces know of themselves
+  write(folder / "concave.ply",
+        "ply\nformat ascii 1.0\nelement vertex 14\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 3\nproperty list uchar int vertex_indices\nproperty int part\nend_header\n"
+        "0 0 0\n4 0 0\n4 1 0\n1 1 0\n1 4 0\n0 4 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n2 5 0\n2 6 0\n1 5.2 0\n3 5.2 0\n"
+        "6 0 1 2 3 4 5 7\n4 6 7 8 9 8\n4 12 10 13 11 9\n");
+  check_succeeds("concave.ply out.ply --triangulate --gradient-weight 0");
+  const Mesh split = read_ply("out.ply");
+  const auto part = existing_map<Mesh::Face_index, std::int32_t>(split, "f:part");
+  double area[3] = {0, 0, 0};
+  for(auto f : split.faces())
+  {
+    const auto h = split.halfedge(f);
+    const Kernel::Point_3 p = split.point(split.source(h)), q = split.point(split.target(h)), r = split.point(split.target(split.next(h)));
+    const double z = CGAL::cross_product(q - p, r - p).z() / 2;
+    GDP_CHECK(z > 0 && get(part, f) >= 7 && get(part, f) <= 9);
+    area[(get(part, f) - 7) % 3] += z;
+  }
+  GDP_CHECK(split.number_of_faces() == 8);
+  GDP_CHECK_NEAR(area[0], 7, 1e-12);
+  GDP_CHECK_NEAR(area[1], 1, 1e-12);
+  GDP_CHECK_NEAR(area[2], 1, 1e-12);
+  std::ostringstream star;
+  star << "OFF\n2000 1 0\n";
+  for(int i = 0; i < 2000; ++i)
+    star << (i % 2 ? 1 : 0.3) * std::cos(i * 0.00314159265358979) << " " << (i % 2 ? 1 : 0.3) * std::sin(i * 0.00314159265358979) << " 0\n";
+  star << "2000";
+  for(int i = 0; i < 2000; ++i)
+    star << " " << i;
+  write(folder / "star.off", star.str());
+  check_succeeds("star.off out.ply --triangulate --gradient-weight 0");
+  double star_area = 0;
+  const Mesh split_star = read_ply("out.ply");
+  for(auto f : split_star.faces())
+  {
+    const auto h = split_star.halfedge(f);
+    const Kernel::Point_3 p = split_star.point(split_star.source(h)), q = split_star.point(split_star.target(h)),
+                          r = split_star.point(split_star.target(split_star.next(h)));
+    star_area += std::abs(CGAL::cross_product(q - p, r - p).z()) / 2;
+  }
+  GDP_CHECK_NEAR(star_area, 1000 * 0.3 * std::sin(0.00314159265358979), 1e-5);
+
+  // two faces that have the shorter diagonal in common: only one can have it
+  write(folder / "diagonal.off", "OFF\n6 2 0\n0 0 0\n1 2 0\n2 0 0\n1 -2 0\n1 1 3\n1 1 -3\n4 0 1 2 3\n4 0 4 2 5\n");
+  const Outcome diagonal = run("diagonal.off out.ply --triangulate");
+  GDP_CHECK(diagonal.code == 1 && is_one_line(diagonal.err)); // two corners that join faces without an edge
+  write(folder / "pillow.off", "OFF\n4 2 0\n0 0 0\n1 2 0\n2 0 0\n1 -2 0\n4 0 1 2 3\n4 3 2 1 0\n");
+  check_succeeds("pillow.off out.ply --triangulate");
+  GDP_CHECK(read_ply("out.ply").number_of_faces() == 4);
   write(folder / "fan.off", "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 2\n3 0 1 2\n3 1 0 3\n3 0 1 4\n");
   check_succeeds("fan.off out.ply --repair");
   GDP_CHECK(read_ply("out.ply").number_of_faces() == 3);
@@ -418,7 +548,7 @@ void test_other_operations(const Mesh& mesh)
                               "element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n4 0 1 2 3\n");
   check_succeeds("strip.ply out.ply");
   GDP_CHECK(read_ply("out.ply").number_of_faces() == 2);
-  for(const char* name : {"quad.off", "fan.off", "strip.ply", "out.ply"})
+  for(const char* name : {"quad.off", "concave.ply", "star.off", "diagonal.off", "pillow.off", "fan.off", "strip.ply", "out.ply"})
     fs::remove(folder / name);
 }
 
@@ -471,6 +601,41 @@ private:
   }
 };
 
+void test_denoise(const Mesh& mesh)
+{
+  Mesh noisy = mesh;
+  for(Mesh::Vertex_index v : noisy.vertices())
+  {
+    const double amount = 0.03 * std::sin(1e4 * int(v) + 1);
+    const Kernel::Point_3 p = noisy.point(v);
+    noisy.point(v) = Kernel::Point_3((1 + amount) * p.x(), (1 + amount) * p.y(), (1 + amount) * p.z());
+  }
+  std::ofstream stream(folder / "noisy.off");
+  stream.precision(17);
+  CGAL::IO::write_OFF(stream, noisy);
+  stream.close();
+
+  // the passes that are named are run; without a name their number comes from the data
+  for(unsigned int passes : {1u, 3u})
+  {
+    Mesh expected = noisy;
+    GDP_CHECK(GDP::denoise(expected, GDP::parameters::number_of_iterations(passes)) == GDP::OK);
+    check_succeeds("noisy.off out.ply --operation denoise --passes " + std::to_string(passes));
+    GDP_CHECK(largest_difference(read_ply("out.ply"), expected) < 1e-9);
+    GDP_CHECK(largest_difference(expected, noisy) > 1e-3);
+  }
+  Mesh expected = noisy;
+  GDP_CHECK(GDP::denoise(expected) == GDP::OK);
+  check_succeeds("noisy.off out.ply --operation denoise");
+  GDP_CHECK(largest_difference(read_ply("out.ply"), expected) < 1e-9);
+  GDP_CHECK(largest_difference(expected, noisy) > 1e-3);
+  check_fails("noisy.off out.ply --passes 3", 2, "denoise");
+  check_fails("noisy.off out.ply --operation denoise --passes 0", 2, "passes");
+  check_fails("noisy.off out.ply --operation denoise --gradient-weight 1", 2, "contradicts");
+  fs::remove(folder / "noisy.off");
+  fs::remove(folder / "out.ply");
+}
+
 void test_report(const Mesh& mesh)
 {
   check_succeeds("mesh.off 'a\"b.ply' --report report.json --metric edge-aware");
@@ -498,20 +663,35 @@ int main(int argc, char* argv[])
   if(!GDP_CHECK(name != nullptr))
     return GDP_TEST_RESULT();
   program = fs::absolute(name).string();
+  if(!GDP_CHECK(fs::is_regular_file(program)))
+  {
+    std::cerr << "  " << program << " is not there" << std::endl;
+    return GDP_TEST_RESULT();
+  }
   folder = fs::temp_directory_path() / ("test_filter_program_" + std::to_string(std::random_device()()));
   fs::create_directory(folder);
-  fs::copy_file("data/ellipsoid.off", folder / "mesh.off");
-  const Mesh mesh = read_off(folder / "mesh.off");
-  write(folder / "properties.ply", ply_with_properties(mesh));
+  try
+  {
+    fs::copy_file("data/ellipsoid.off", folder / "mesh.off");
+    const Mesh mesh = read_off(folder / "mesh.off");
+    write(folder / "properties.ply", ply_with_properties(mesh));
 
-  test_usage();
-  test_bad_files(mesh);
-  test_result(mesh);
-  test_properties(mesh);
-  test_other_operations(mesh);
-  test_report(mesh);
+    test_usage();
+    test_bad_files(mesh);
+    test_no_room();
+    test_result(mesh);
+    test_properties(mesh);
+    test_other_operations(mesh);
+    test_denoise(mesh);
+    test_report(mesh);
 
-  GDP_CHECK(number_of_files() == 2); // nothing is left behind
+    GDP_CHECK(number_of_files() == 2); // nothing is left behind
+  }
+  catch(const std::exception& error) // what follows would make no sense
+  {
+    std::cerr << error.what() << std::endl;
+    GDP_CHECK(false);
+  }
   fs::remove_all(folder);
   return GDP_TEST_RESULT();
 }

@@ -18,6 +18,10 @@
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCholesky>
 
+#ifdef __unix__
+#include <dlfcn.h>
+#endif
+
 #include <cmath>
 #include <string>
 #include <vector>
@@ -116,10 +120,33 @@ struct Failing_solver : Minimal_solver
   }
 };
 
+#if defined(CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD) && defined(__unix__)
+// CHOLMOD works on one thread, and the settings of OpenMP and OpenBLAS are afterwards what the caller made them.
+void check_threads()
+{
+  const auto ask = [](const char* name) {
+    const auto function = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, name));
+    return function ? function() : -1;
+  };
+  const auto levels = [&] { return ask("omp_get_max_active_levels"); };
+  const auto threads = [&] { return ask("openblas_get_num_threads"); };
+  const int levels_before = levels(), threads_before = threads();
+  {
+    const GDP::internal::Sequential_blas_scope sequential;
+    GDP_CHECK(levels_before < 0 || levels() == 0);
+    GDP_CHECK(threads_before < 0 || threads() == 1);
+  }
+  GDP_CHECK(levels() == levels_before && threads() == threads_before);
+}
+#endif
+
 } // namespace
 
 int main()
 {
+#if defined(CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD) && defined(__unix__)
+  check_threads();
+#endif
   // the direct solvers differ by rounding, the iterative one by its tolerance
   check_agreement("SimplicialLLT", CGAL::Eigen_solver_traits<Eigen::SimplicialLLT<Sparse> >(), 1e-13);
   check_agreement("SimplicialLDLT", CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Sparse> >(), 1e-13);

@@ -2,7 +2,7 @@
  * \ingroup PkgGradientDomainProcessingConcepts
  * \cgalConcept
  *
- * A `GradientDomainVisitor` is told how far a computation is, and may stop it. It is passed by the named parameter `visitor`: as a
+ * A `GradientDomainVisitor` is told how far a computation is, may stop it, and learns which vertex or face an error is about. It is passed by the named parameter `visitor`: as a
  * value, which is copied, or as a `std::reference_wrapper` (`std::ref(my_visitor)`) if it has a state to read afterwards.
  *
  * Stages may occur more than once, and may nest: curvature is estimated while the metric is prepared, for example. A stage that begins inside
@@ -23,4 +23,14 @@ public:
   /// is called before the stages that take long, and regularly within the estimation of curvature. `done` is the part of the current stage that is done,
   /// from 0 to 1. Where this returns `false`, the computation stops with `ERROR_CANCELLED`; mesh and outputs are as they were.
   bool go_on(double done);
+
+  /// is called before a function returns an error that a vertex is to blame for, with the first such vertex in the order of `vertices(tm)`
+  /// (of the faces, for a region): its point, value, weight, normal or curvature is invalid, or its result is out of range.
+  template <class vertex_descriptor>
+  void invalid_vertex(CGAL::Gradient_domain_processing::Error_code code, vertex_descriptor v);
+
+  /// is called before a function returns an error that a face is to blame for, with the first such face: it is not a triangle, or its
+  /// weight, metric, value or target is invalid. A weight of an interior edge counts for the first of its faces.
+  template <class face_descriptor>
+  void invalid_face(CGAL::Gradient_domain_processing::Error_code code, face_descriptor f);
 };

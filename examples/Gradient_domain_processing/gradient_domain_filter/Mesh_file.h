@@ -91,7 +91,9 @@ struct Read_options
 Mesh_file read_mesh_file(const std::string& path, const Read_options& options);
 std::string mesh_file_contents(const Mesh_file& file, File_format format, Encoding encoding);
 
-// One for each format; `text` is all of the file. They throw Failure with `path`.
+// `text` is all of the file; one function for each format, and one that chooses by the extension of `path`. They throw
+// Failure with `path`.
+Polygon_soup parse_mesh_file(const std::string& path, const std::string& text);
 Polygon_soup parse_off(const std::string& path, const std::string& text);
 Polygon_soup parse_obj(const std::string& path, const std::string& text);
 Polygon_soup parse_ply(const std::string& path, const std::string& text);
@@ -100,7 +102,10 @@ Polygon_soup parse_stl(const std::string& path, const std::string& text);
 // Colors from 0 to 1, as text formats have them, become those from 0 to 255 that all others expect; not rounded yet.
 void scale_colors_to_bytes(Columns& columns);
 
-// Checks the soup and connects it; consumes it.
+// Makes triangles of all polygons, which have three corners at least. Throws Failure.
+void split_polygons(const std::string& path, Polygon_soup& soup);
+
+// Checks the soup and connects it; consumes it. Throws Failure.
 Mesh_file connect(const std::string& path, Polygon_soup& soup, const Read_options& options);
 
 #endif // GRADIENT_DOMAIN_FILTER_MESH_FILE_H

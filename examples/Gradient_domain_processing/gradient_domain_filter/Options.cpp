@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <filesystem>
 #include <iostream>
 #include <utility>
 
@@ -60,6 +62,15 @@ void check_number(const char* option, double x, bool non_negative)
 {
   if(!std::isfinite(x) || (non_negative && x < 0))
     throw Usage_error("--" + std::string(option) + " is a " + (non_negative ? "number, at least 0" : "finite number"));
+}
+
+// However they are spelled, and whether they exist.
+bool is_same_file(const std::string& a, const std::string& b)
+{
+  std::error_code error;
+  const auto place_a = std::filesystem::weakly_canonical(a, error), place_b = std::filesystem::weakly_canonical(b, error);
+  return a == b || (!error && std::filesystem::absolute(place_a, error) == std::filesystem::absolute(place_b, error))
+         || std::filesystem::equivalent(a, b, error);
 }
 
 po::options_description filter_options(Options& o)
@@ -185,8 +196,10 @@ void check_combination(const po::variables_map& given, const Options& o)
   require(given, {"ascii", "binary"}, o.output_format == File_format::PLY || o.output_format == File_format::STL, "an output of PLY or STL");
   if(o.output_format == File_format::STL && !o.moves_vertices())
     throw Usage_error(o.output + ": STL cannot hold the signal " + o.signal_name);
-  if(!o.report.empty() && (o.report == o.output || o.report == o.input))
-    throw Usage_error("--report is also the " + std::string(o.report == o.output ? "output" : "input"));
+  if(!o.report.empty() && is_same_file(o.report, o.output))
+    throw Usage_error("--report is also the output");
+  if(!o.report.empty() && is_same_file(o.report, o.input))
+    throw Usage_error("--report is also the input");
 
   check_number("value-weight", o.value_weight, true);
   check_number("gradient-weight", o.gradient_weight, true);
@@ -229,6 +242,10 @@ bool parse_command_line(int argc, char* argv[], Options& o)
   }
   catch(const po::error& error)
   {
+    // what() replaces %value% and the like, and what it puts there too: with such a word it would never end
+    for(int i = 1; i < argc; ++i)
+      if(const char* const first = std::strchr(argv[i], '%'); first && std::strchr(first + 1, '%'))
+        throw Usage_error("an option or its value makes no sense; is it '" + std::string(argv[i]) + "'?");
     throw Usage_error(error.what());
   }
   if(given.count("help"))

@@ -41,6 +41,7 @@ void set_unfinished(const fs::path& path)
     for(int signal : {SIGINT, SIGTERM, SIGHUP})
       if(std::signal(signal, remove_unfinished) == SIG_IGN)
         std::signal(signal, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN); // writing fails with a reason instead
     return true;
   }();
   (void)has_handlers;

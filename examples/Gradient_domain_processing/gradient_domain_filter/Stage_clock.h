@@ -15,7 +15,8 @@
 #include <utility>
 #include <vector>
 
-// A visitor that measures the stages, each without those inside of it, and shows the current one on a terminal.
+// A visitor that measures the stages, each without those inside of it, shows the current one on a terminal, and keeps what an
+// error is about.
 class Stage_clock
 {
   typedef std::chrono::steady_clock Clock;
@@ -25,6 +26,7 @@ class Stage_clock
   std::vector<std::string> m_open;
   Clock::time_point m_start = Clock::now(), m_last = m_start;
   int m_shown_percent = -1;
+  std::string m_invalid;
 
 public:
   explicit Stage_clock(bool is_shown) : m_is_shown(is_shown)
@@ -64,6 +66,14 @@ public:
       show(int(100 * done));
     return true;
   }
+
+  template <class Vertex>
+  void invalid_vertex(CGAL::Gradient_domain_processing::Error_code, Vertex v) { m_invalid = "vertex " + std::to_string(std::size_t(v)); }
+  template <class Face>
+  void invalid_face(CGAL::Gradient_domain_processing::Error_code, Face f) { m_invalid = "face " + std::to_string(std::size_t(f)); }
+
+  // What the error is about; empty if it is about no vertex or face.
+  const std::string& invalid() const { return m_invalid; }
 
   void clear()
   {

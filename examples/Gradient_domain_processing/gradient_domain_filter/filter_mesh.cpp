@@ -6,6 +6,24 @@
 
 #include "filter_mesh_impl.h"
 
+#include <CGAL/Gradient_domain_processing/internal/memory_estimate.h>
+
+CGAL::Gradient_domain_processing::Error_code filter_mesh(const Options& options, Mesh_file& file, Stage_clock& clock, Solver_facts& facts)
+{
+  switch(options.solver)
+  {
+#ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD
+    case Solver_kind::EIGEN: return filter_with_eigen(options, file, clock, facts);
+#endif
+    case Solver_kind::CG: return filter_with_cg(options, file, clock, facts);
+    case Solver_kind::AUTO:
+      if(!CGAL::Gradient_domain_processing::internal::cholesky_fits(file.mesh.number_of_vertices()))
+        return filter_with_cg(options, file, clock, facts);
+      return filter_with_default(options, file, clock, facts);
+    default: return filter_with_default(options, file, clock, facts);
+  }
+}
+
 namespace filter_mesh_impl {
 
 const std::vector<double>& property(const Options& options, const Mesh_file& file, const std::string& name)

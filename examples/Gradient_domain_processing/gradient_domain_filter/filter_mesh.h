@@ -20,8 +20,10 @@ struct Solver_facts
   double matrix_non_zeros = -1, factor_non_zeros = -1, iterations = -1;
 };
 
-// Does what the options ask for to the mesh or its columns, with one linear solver each: every solver is one compilation of the
-// whole package. Throws Failure if a property is missing.
+// Does what the options ask for to the mesh or its columns. Throws Failure if a property is missing.
+CGAL::Gradient_domain_processing::Error_code filter_mesh(const Options&, Mesh_file&, Stage_clock&, Solver_facts&);
+
+// The same with one linear solver each: every solver is one compilation of the whole package.
 CGAL::Gradient_domain_processing::Error_code filter_with_default(const Options&, Mesh_file&, Stage_clock&, Solver_facts&);
 CGAL::Gradient_domain_processing::Error_code filter_with_eigen(const Options&, Mesh_file&, Stage_clock&, Solver_facts&);
 CGAL::Gradient_domain_processing::Error_code filter_with_cg(const Options&, Mesh_file&, Stage_clock&, Solver_facts&);

@@ -72,19 +72,20 @@ std::string read_all(const std::string& path)
 
 } // namespace
 
+Polygon_soup parse_mesh_file(const std::string& path, const std::string& text)
+{
+  switch(file_format(path))
+  {
+    case File_format::OFF: return parse_off(path, text);
+    case File_format::OBJ: return parse_obj(path, text);
+    case File_format::PLY: return parse_ply(path, text);
+    case File_format::STL: return parse_stl(path, text);
+  }
+  return Polygon_soup();
+}
+
 Mesh_file read_mesh_file(const std::string& path, const Read_options& options)
 {
-  const File_format format = file_format(path);
-  Polygon_soup soup;
-  {
-    const std::string text = read_all(path);
-    switch(format)
-    {
-      case File_format::OFF: soup = parse_off(path, text); break;
-      case File_format::OBJ: soup = parse_obj(path, text); break;
-      case File_format::PLY: soup = parse_ply(path, text); break;
-      case File_format::STL: soup = parse_stl(path, text); break;
-    }
-  }
+  Polygon_soup soup = parse_mesh_file(path, read_all(path));
   return connect(path, soup, options);
 }

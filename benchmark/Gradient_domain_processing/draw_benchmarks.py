@@ -1,0 +1,178 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026  The Gradient_domain_processing authors.
+#
+# This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Turns what run_benchmarks.py wrote into the plots and tables of the manual.
+
+    draw_benchmarks.py RESULTS.json [--output FOLDER]
+
+FOLDER (the manual's, unless named) receives fig/performance.png, fig/growth.png and performance_tables.txt. Debian: python3-matplotlib.
+"""
+
+import argparse
+import json
+import math
+import os
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+
+MANUAL = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../doc/Gradient_domain_processing")
+OURS = "#b5482f"
+PEERS = ["#9aa7b1", "#5f7180", "#c9b458", "#7d9b76"]
+
+
+def is_ours(command):
+    return command in ("isotropic", "edge-aware, normals", "edge-aware, jets")
+
+
+def by_mesh(results):
+    """{mesh: {command: result}}, in the order of the file."""
+    meshes = {}
+    for result in results:
+        meshes.setdefault(result["mesh"], {})[result["command"]] = result
+    return meshes
+
+
+def draw_performance(report, path):
+    figure, axes = plt.subplots(1, 2, figsize=(10, 3.6))
+    for axis, (title, results) in zip(axes, (("isotropic", report["isotropic"]), ("edge-aware", report["edge_aware"]))):
+        meshes = by_mesh(results)
+        commands = list(dict.fromkeys(result["command"] for result in results))
+        colors = iter(PEERS)
+        width = 0.8 / len(commands)
+        shade = 0
+        for i, command in enumerate(commands):
+            color = OURS if is_ours(command) else next(colors)
+            places = [m + (i - (len(commands) - 1) / 2) * width for m, mesh in enumerate(meshes) if command in meshes[mesh]]
+            heights = [meshes[mesh][command]["seconds"] for mesh in meshes if command in meshes[mesh]]
+            axis.bar(places, heights, width, color=color, alpha=1 - 0.35 * shade if is_ours(command) else 1,
+                     label=("this package" + (": " + command.split(", ")[1] if ", " in command else "")) if is_ours(command) else command)
+            shade += is_ours(command)
+        axis.set_yscale("log")
+        axis.set_xticks(range(len(meshes)), [f"{mesh} vertices" for mesh in meshes], fontsize=8)
+        axis.set_title(f"{title}: seconds, the whole process", fontsize=10)
+        axis.grid(axis="y", color="#dddddd", linewidth=0.6)
+        axis.set_axisbelow(True)
+        axis.legend(fontsize=7, frameon=False)
+        for side in ("top", "right"):
+            axis.spines[side].set_visible(False)
+    figure.tight_layout()
+    figure.savefig(path, dpi=110)
+
+
+def exponent(points):
+    """The slope of a line through the logarithms."""
+    xs, ys = [math.log(x) for x, _ in points], [math.log(y) for _, y in points]
+    x, y = sum(xs) / len(xs), sum(ys) / len(ys)
+    return sum((a - x) * (b - y) for a, b in zip(xs, ys)) / sum((a - x) ** 2 for a in xs)
+
+
+def growth_series(report, key):
+    """{command: [(vertices, value)]} with the exponent of meshes of 40,000 vertices and more, where starting costs no longer count."""
+    series = {}
+    for result in report["growth"]:
+        series.setdefault(result["command"], []).append((result["vertices"], result[key]))
+    return {command: (points, exponent([p for p in points if p[0] >= 40000])) for command, points in series.items()}
+
+
+NAMES = {"auto": "Cholesky while it fits", "cg": "conjugate gradients"}
+
+
+def draw_growth(report, path):
+    figure, axes = plt.subplots(1, 2, figsize=(10, 3.4))
+    for axis, (key, unit) in zip(axes, (("seconds", "seconds"), ("megabytes", "peak memory, MB"))):
+        for (command, (points, slope)), style in zip(growth_series(report, key).items(), ("o-", "s--")):
+            axis.plot(*zip(*points), style, color=OURS if command == "auto" else PEERS[1], label=f"{NAMES[command]}: exponent {slope:.2f}")
+        axis.set_xscale("log")
+        axis.set_yscale("log")
+        axis.set_xlabel("vertices", fontsize=8)
+        axis.set_title(unit, fontsize=10)
+        axis.grid(color="#dddddd", linewidth=0.6)
+        axis.legend(fontsize=8, frameon=False)
+    figure.tight_layout()
+    figure.savefig(path, dpi=110)
+
+
+def table(header, rows):
+    lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
+    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows]) + "\n"
+
+
+def comparison(results):
+    """A row a mesh: seconds / MB of every command, and how many times slower a peer is than our first command."""
+    meshes = by_mesh(results)
+    commands = list(dict.fromkeys(result["command"] for result in results))
+
+    def cell(row, command):
+        if command not in row:
+            return ""
+        text = f"{row[command]['seconds']:.2f} / {row[command]['megabytes']:.0f}"
+        ours = [row[c]["seconds"] for c in commands if is_ours(c)]
+        return text if is_ours(command) else text + " (" + ", ".join(f"{row[command]['seconds'] / s:.1f}x" for s in ours) + ")"
+
+    return table(["vertices"] + [f"**{c}**" if is_ours(c) else c for c in commands],
+                 [[mesh] + [cell(row, c) for c in commands] for mesh, row in meshes.items()])
+
+
+def parts_table(report):
+    rows = []
+    for part in report["parts"]:
+        n, name = f"{part['vertices']:,}", part["benchmark"]
+        if name == "assembly":
+            rows.append(["assembly: triplets / one thread / all", n, "{triplets:.3f} / {sequential:.3f} / {parallel:.3f}".format(**part),
+                         f"{part['triplets'] / part['sequential']:.1f} and {part['triplets'] / part['parallel']:.1f} times faster"])
+        elif name == "curvature":
+            rows.append(["curvature by jets: plain loop / one thread / all", n, "{plain_loop:.2f} / {sequential:.2f} / {parallel:.2f}".format(**part),
+                         f"{part['plain_loop'] / part['sequential']:.1f} and {part['plain_loop'] / part['parallel']:.1f} times faster; "
+                         f"{part['sequential_us_per_vertex']:.1f} us a vertex"])
+        elif name == "reuse":
+            rows.append(["first solution / new signal or scale / new weight", n, "{first:.2f} / {new_scale:.3f} / {new_weight:.2f}".format(**part),
+                         f"{100 * part['new_scale'] / part['first']:.0f} % and {100 * part['new_weight'] / part['first']:.0f} % of the first"])
+        elif name == "region":
+            rows.append(["whole mesh / one percent of it", n, "{whole:.2f} / {one_percent:.4f}".format(**part),
+                         f"{100 * part['one_percent'] / part['whole']:.1f} %"])
+    return table(["what", "vertices", "seconds", ""], rows)
+
+
+def stages_table(report):
+    stages = ["read", "metric", "analyze", "assemble", "factor", "solve", "write", "total"]
+    names = {"solver_default": "CHOLMOD", "solver_eigen": "Eigen"}
+    rows = [[f"{p['vertices']:,}", names[p["benchmark"]]] + [f"{p[s]:.3f}" for s in stages]
+            + [f"{100 * (p['total'] - p['analyze'] - p['factor'] - p['solve']) / (p['factor'] + p['solve']):.0f} %"]
+            for p in report["parts"] if p["benchmark"] in names]
+    return table(["vertices", "solver"] + stages + ["overhead"], rows)
+
+
+def growth_table(report):
+    rows = [[f"{r['vertices']:,}", NAMES[r["command"]], f"{r['seconds']:.2f}", f"{r['megabytes']:.0f}"] for r in report["growth"]]
+    return table(["vertices", "solver", "seconds", "MB"], rows)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("results")
+    parser.add_argument("--output", default=MANUAL)
+    options = parser.parse_args()
+    with open(options.results) as stream:
+        report = json.load(stream)
+    draw_performance(report, os.path.join(options.output, "fig", "performance.png"))
+    draw_growth(report, os.path.join(options.output, "fig", "growth.png"))
+    machine = f"{report['processor']}, {report['cores']} cores; {report['version']}; {report['system']}; {report['date']}."
+    with open(os.path.join(options.output, "performance_tables.txt"), "w") as stream:
+        stream.write(f"Measured on: {machine}\n\nThe whole process, isotropic, seconds / MB (times slower than this package):\n\n"
+                     + comparison(report["isotropic"])
+                     + "\nThe whole process, edge-aware, seconds / MB (times slower than this package with normals, with jets):\n\n"
+                     + comparison(report["edge_aware"])
+                     + "\nThe stages of `smooth()`, seconds. Overhead is all but ordering, factorization and solution, relative to the latter two:\n\n"
+                     + stages_table(report) + "\nParts, seconds:\n\n" + parts_table(report)
+                     + "\nGrowth, whole process:\n\n" + growth_table(report))
+
+
+if __name__ == "__main__":
+    main()
