@@ -130,14 +130,14 @@ def parts_table(report):
         elif name == "curvature":
             rows.append(["curvature by jets: plain loop / one thread / all", n, "{plain_loop:.2f} / {sequential:.2f} / {parallel:.2f}".format(**part),
                          f"{part['plain_loop'] / part['sequential']:.1f} and {part['plain_loop'] / part['parallel']:.1f} times faster; "
-                         f"{part['sequential_us_per_vertex']:.1f} us a vertex"])
+                         f"{part['sequential_us_per_vertex']:.1f} us a vertex on one thread"])
         elif name == "reuse":
             rows.append(["first solution / new signal or scale / new weight", n, "{first:.2f} / {new_scale:.3f} / {new_weight:.2f}".format(**part),
                          f"{100 * part['new_scale'] / part['first']:.0f} % and {100 * part['new_weight'] / part['first']:.0f} % of the first"])
         elif name == "region":
             rows.append(["whole mesh / one percent of it", n, "{whole:.2f} / {one_percent:.4f}".format(**part),
                          f"{100 * part['one_percent'] / part['whole']:.1f} %"])
-    return table(["what", "vertices", "seconds", ""], rows)
+    return table(["what", "vertices", "seconds", "ratio"], rows)
 
 
 def stages_table(report):
@@ -165,7 +165,7 @@ def main():
     draw_growth(report, os.path.join(options.output, "fig", "growth.png"))
     machine = f"{report['processor']}, {report['cores']} cores; {report['version']}; {report['system']}; {report['date']}."
     with open(os.path.join(options.output, "performance_tables.txt"), "w") as stream:
-        stream.write(f"Measured on: {machine}\n\nThe whole process, isotropic, seconds / MB (times slower than this package):\n\n"
+        stream.write(f"Measured on: {machine}<br><br>\nThe whole process, isotropic, seconds / MB (times slower than this package):\n\n"
                      + comparison(report["isotropic"])
                      + "\nThe whole process, edge-aware, seconds / MB (times slower than this package with normals, with jets):\n\n"
                      + comparison(report["edge_aware"])

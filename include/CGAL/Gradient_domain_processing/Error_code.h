@@ -21,13 +21,13 @@ enum Error_code
   OK,                               ///< Success.
   ERROR_EMPTY_MESH,                 ///< The mesh has no face.
   ERROR_NON_TRIANGULAR_MESH,        ///< A face is not a triangle.
-  ERROR_INVALID_POINT,              ///< A coordinate is NaN, infinite, or beyond the supported range (1e-150 to 1e150).
+  ERROR_INVALID_POINT,              ///< A coordinate is NaN, infinite, or larger than 1e150.
   ERROR_INVALID_SIGNAL,             ///< A value of the input signal is NaN or infinite.
   ERROR_INVALID_TARGET,             ///< A target gradient or a given normal or curvature is NaN or infinite.
   ERROR_INVALID_WEIGHT,             ///< A weight is negative, NaN or infinite.
   ERROR_INVALID_METRIC,             ///< A metric tensor is not symmetric positive definite.
   ERROR_INVALID_PARAMETER,          ///< Another parameter is out of its range.
-  ERROR_UNCONSTRAINED,              ///< The value weight is zero on a component without a constrained vertex: the solution is not unique.
+  ERROR_UNCONSTRAINED,              ///< The value weight is zero on a component (of the faces with a gradient weight) without a constrained vertex: the solution is not unique.
   ERROR_NO_VOLUME,                  ///< Restoring the volume was asked for, but a component is open or has a constraint.
   ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, ///< The linear solver failed: its factorization broke down or ran out of memory.
   ERROR_NOT_CONVERGED,              ///< An iterative linear solver did not reach its tolerance.
