@@ -80,6 +80,14 @@ void keep_order(Eigen::CholmodSupernodalLLT<Matrix, Eigen::Lower>& solver)
 }
 #endif
 
+// Lives while the solver works: CHOLMOD does so on one thread, any other solver as it was set up.
+template <class EigenSolver>
+struct Thread_scope {};
+#ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD
+template <class Matrix, int triangle>
+struct Thread_scope<Eigen::CholmodSupernodalLLT<Matrix, triangle> > : Sequential_blas_scope {};
+#endif
+
 template <class EigenSolver>
 bool out_of_memory(EigenSolver&) { return false; }
 #ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD
@@ -198,8 +206,8 @@ private:
   template <class Work>
   static Error_code guarded(const Work& work)
   {
-    const Sequential_blas_scope sequential;
-    (void)sequential;
+    const Thread_scope<EigenSolver> scope{};
+    (void)scope;
     try { return work() ? OK : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM; }
     catch(const std::bad_alloc&) { return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM; }
   }
