@@ -6,7 +6,8 @@
 
 // Times the parts of the package inside one process, each against what it is to be compared with, and writes a JSON object a line.
 //
-//   benchmark_parts make-mesh INPUT OUTPUT SUBDIVISIONS [NOISE]     noise in mean edge lengths, 0.2 unless given
+//   benchmark_parts make-scan INPUT OUTPUT VERTICES      remeshed to about so many vertices, as irregular as a scan's
+//   benchmark_parts subdivide INPUT OUTPUT TIMES         by Loop's scheme, for meshes that are too large to remesh
 //   benchmark_parts solver|assembly|curvature|reuse|region|threads MESH [REPETITIONS]
 //
 // Two things that are compared take turns; the numbers are medians.
@@ -14,12 +15,17 @@
 #include <CGAL/Gradient_domain_processing.h>
 #include <CGAL/Monge_via_jet_fitting.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/subdivision_method_3.h>
 
 #include <Eigen/SparseCholesky>
+#ifdef BENCHMARK_WITH_MKL
+#include <Eigen/PardisoSupport>
+#endif
 
 #include <algorithm>
 #include <chrono>
@@ -32,6 +38,7 @@
 #include <vector>
 
 namespace GDP = CGAL::Gradient_domain_processing;
+namespace PMP = CGAL::Polygon_mesh_processing;
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef CGAL::Eigen_solver_traits<Eigen::SimplicialLLT<Eigen::SparseMatrix<double> > > Eigen_solver;
@@ -90,7 +97,7 @@ void require(GDP::Error_code code)
   std::exit(EXIT_FAILURE);
 }
 
-// Tables 1 and 2 of the paper: the stages of smoothing, with our default solver and with Eigen's.
+// Tables 1 and 2 of the paper: the stages of smoothing, with our default solver, with Eigen's and with MKL's.
 void benchmark_solver(const Mesh& mesh, int repetitions)
 {
   const auto run = [&](const std::string& name, auto solver) {
@@ -112,6 +119,9 @@ void benchmark_solver(const Mesh& mesh, int repetitions)
   };
   run("solver_default", [] { return GDP::Default_sparse_linear_solver(); });
   run("solver_eigen", [] { return Eigen_solver(); });
+#ifdef BENCHMARK_WITH_MKL
+  run("solver_mkl", [] { return CGAL::Eigen_solver_traits<Eigen::PardisoLLT<Eigen::SparseMatrix<double>, Eigen::Lower> >(); });
+#endif
 }
 
 void benchmark_assembly(const Mesh& mesh, int repetitions)
@@ -257,33 +267,49 @@ void benchmark_threads(const Mesh& mesh, int repetitions)
   run(CGAL::Parallel_if_available_tag(), "threads_parallel");
 }
 
-// Loop subdivision and Gaussian noise along the normals, always the same.
-int make_mesh(int argc, char* argv[])
+// Remeshing leaves a quarter to a fifth more vertices than a tiling by equilateral triangles of the target length has.
+void make_scan(Mesh& mesh, double vertices)
 {
-  Mesh mesh;
-  if(argc < 5 || !CGAL::IO::read_polygon_mesh(argv[2], mesh))
-    return EXIT_FAILURE;
-  CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(std::atoi(argv[4])));
-  const double noise = argc > 5 ? std::atof(argv[5]) : 0.2;
+  const double length = std::sqrt(1.16 * PMP::area(mesh) / vertices * 2 / std::sqrt(3.));
+  PMP::isotropic_remeshing(mesh.faces(), length, mesh, CGAL::parameters::number_of_iterations(3));
+  mesh.collect_garbage();
+}
+
+void subdivide(Mesh& mesh, double times)
+{
+  CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(unsigned(times)));
+}
+
+// Gaussian noise of 0.2 mean edge lengths along the normals, always the same.
+void add_noise(Mesh& mesh)
+{
   auto normals = mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal").first;
-  CGAL::Polygon_mesh_processing::compute_vertex_normals(mesh, normals);
+  PMP::compute_vertex_normals(mesh, normals);
   double length = 0;
   for(Mesh::Edge_index e : mesh.edges())
-    length += std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
-  length /= double(mesh.number_of_edges());
+    length += PMP::edge_length(e, mesh) / double(mesh.number_of_edges());
   std::mt19937 random(1);
-  std::normal_distribution<double> normal(0, noise * length);
+  std::normal_distribution<double> normal(0, 0.2 * length);
   for(Mesh::Vertex_index v : mesh.vertices())
     mesh.point(v) = mesh.point(v) + normal(random) * normals[v];
   mesh.remove_property_map(normals);
-  return CGAL::IO::write_polygon_mesh(argv[3], mesh, CGAL::parameters::use_binary_mode(true)) ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+int make_mesh(void (*refine)(Mesh&, double), const char* input, const char* output, double amount)
+{
+  Mesh mesh;
+  if(!CGAL::IO::read_polygon_mesh(input, mesh))
+    return EXIT_FAILURE;
+  refine(mesh, amount);
+  add_noise(mesh);
+  return CGAL::IO::write_polygon_mesh(output, mesh, CGAL::parameters::use_binary_mode(true)) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 int main(int argc, char* argv[])
 {
   const std::string benchmark = argc > 1 ? argv[1] : "";
-  if(benchmark == "make-mesh")
-    return make_mesh(argc, argv);
+  if(argc == 5 && (benchmark == "make-scan" || benchmark == "subdivide"))
+    return make_mesh(benchmark == "subdivide" ? subdivide : make_scan, argv[2], argv[3], std::atof(argv[4]));
   const std::map<std::string, void (*)(const Mesh&, int)> benchmarks = {
     {"solver", benchmark_solver}, {"assembly", benchmark_assembly}, {"curvature", benchmark_curvature},
     {"reuse", benchmark_reuse}, {"region", benchmark_region}, {"threads", benchmark_threads}};
@@ -291,7 +317,8 @@ int main(int argc, char* argv[])
   const auto found = benchmarks.find(benchmark);
   if(found == benchmarks.end() || argc < 3 || !CGAL::IO::read_polygon_mesh(argv[2], mesh))
   {
-    std::cerr << "usage: " << argv[0] << " make-mesh INPUT OUTPUT SUBDIVISIONS [NOISE]\n"
+    std::cerr << "usage: " << argv[0] << " make-scan INPUT OUTPUT VERTICES\n"
+              << "       " << argv[0] << " subdivide INPUT OUTPUT TIMES\n"
               << "       " << argv[0] << " solver|assembly|curvature|reuse|region|threads MESH [REPETITIONS]" << std::endl;
     return 2;
   }

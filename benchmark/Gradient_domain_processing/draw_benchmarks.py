@@ -142,7 +142,7 @@ def parts_table(report):
 
 def stages_table(report):
     stages = ["read", "metric", "analyze", "assemble", "factor", "solve", "write", "total"]
-    names = {"solver_default": "CHOLMOD", "solver_eigen": "Eigen"}
+    names = {"solver_default": "CHOLMOD", "solver_eigen": "Eigen", "solver_mkl": "MKL PARDISO"}
     rows = [[f"{p['vertices']:,}", names[p["benchmark"]]] + [f"{p[s]:.3f}" for s in stages]
             + [f"{100 * (p['total'] - p['analyze'] - p['factor'] - p['solve']) / (p['factor'] + p['solve']):.0f} %"]
             for p in report["parts"] if p["benchmark"] in names]

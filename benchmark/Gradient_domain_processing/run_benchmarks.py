@@ -6,8 +6,8 @@ usage: run_benchmarks.py --build BUILD [--data FOLDER] [--sizes 81k,173k,656k,94
                          [--parts] [--growth]
 
 BUILD is a build folder with gradient_domain_filter and benchmark_parts (cmake -DCGAL_GDP_BUILD_BENCHMARKS=ON). The meshes are made from
-CGAL's data (/usr/share/doc/libcgal-dev/data.tar.gz): Loop subdivision and noise of 0.2 mean edge lengths. Every command takes its turn
-in each repetition; medians are printed as a table and written as JSON, which draw_benchmarks.py turns into plots and tables.
+CGAL's data (Debian: package libcgal-demo): remeshed to the size, for growth subdivided, with noise of 0.2 mean edge lengths. Every command
+takes its turn in each repetition; medians are printed as a table and written as JSON, which draw_benchmarks.py turns into plots and tables.
 """
 import argparse
 import datetime
@@ -18,26 +18,22 @@ import shlex
 import statistics
 import subprocess
 import sys
-import tarfile
 import time
 
-# name: mesh of the data archive, Loop subdivisions; near the sizes of the paper's Table 1
-MESHES = {"81k": ("cheese", 1), "173k": ("elephant", 3), "656k": ("ChineseDragon-10kv", 3), "947k": ("fandisk_large", 3)}
-GROWTH = {"11k": ("elephant", 1), "44k": ("elephant", 2), "178k": ("elephant", 3), "711k": ("elephant", 4), "2.8M": ("elephant", 5),
-          "10.2M": ("ChineseDragon-10kv", 5)}
-ARCHIVE = "/usr/share/doc/libcgal-dev/data.tar.gz"
+from cgal_data import ARCHIVE, folder_of_meshes
+
+# name: how it is made, of which mesh of CGAL's data. The sizes of the paper's Table 1, and a series of one shape.
+MESHES = {"81k": ("make-scan", "bear", 81000), "173k": ("make-scan", "armadillo", 173000),
+          "656k": ("make-scan", "ChineseDragon-10kv", 656000), "947k": ("make-scan", "bunny00", 947000)}
+GROWTH = {"11k": ("subdivide", "elephant", 1), "44k": ("subdivide", "elephant", 2), "178k": ("subdivide", "elephant", 3),
+          "711k": ("subdivide", "elephant", 4), "2.8M": ("subdivide", "elephant", 5), "10.2M": ("subdivide", "ChineseDragon-10kv", 5)}
 
 
-def make_mesh(build, folder, name, source, subdivisions):
+def make_mesh(build, folder, name, way, source, amount):
     path = os.path.join(folder, name + ".ply")
     if not os.path.exists(path):
-        base = os.path.join(folder, source + ".off")
-        if not os.path.exists(base):
-            with tarfile.open(ARCHIVE) as archive:
-                member = next(m for m in archive if m.name.endswith(f"meshes/{source}.off"))
-                with archive.extractfile(member) as stream, open(base, "wb") as output:
-                    output.write(stream.read())
-        subprocess.run([find(build, "benchmark_parts"), "make-mesh", base, path, str(subdivisions)], check=True)
+        subprocess.run([find(build, "benchmark_parts"), way, os.path.join(folder_of_meshes(ARCHIVE, folder), source + ".off"), path,
+                        str(amount)], check=True)
     return path
 
 
