@@ -9,6 +9,7 @@
 #include "test_shapes.h"
 #include "test_utils.h"
 
+#include <CGAL/Gradient_domain_processing/process_face_signal.h>
 #include <CGAL/Gradient_domain_processing/process_signal.h>
 #include <CGAL/Gradient_domain_processing/smooth.h>
 
@@ -319,6 +320,12 @@ void test_blame()
   GDP_CHECK(visitor.takes(GDP::ERROR_INVALID_METRIC, "face", 0));
   p.metric[f] = GDP::Triangle_metric(1, 2, 1);
   GDP_CHECK(good.set_metric(p.metric) == GDP::ERROR_INVALID_METRIC && visitor.takes(GDP::ERROR_INVALID_METRIC, "face", f));
+
+  const std::vector<double> large(p.mesh.number_of_faces(), 1e39);
+  std::vector<float> narrow(large.size());
+  GDP_CHECK(GDP::process_face_signal(p.mesh, CGAL::make_property_map(large), CGAL::make_property_map(narrow),
+                                     GDP::parameters::visitor(std::ref(visitor))) == GDP::ERROR_RESULT_OUT_OF_RANGE);
+  GDP_CHECK(visitor.takes(GDP::ERROR_RESULT_OUT_OF_RANGE, "face", 0));
 
   const Point point = p.mesh.point(v);
   p.mesh.point(v) = p.mesh.point(later) = Point(0, 1e151, 0);

@@ -225,6 +225,7 @@ void check_errors(Solver& solver, std::size_t n)
   for(std::size_t v = 0; v < n; ++v)
     in[v] = 1e38 * number(v, 0);
   GDP_CHECK(solver.filter(CGAL::make_property_map(in), CGAL::make_property_map(out)) == GDP::ERROR_RESULT_OUT_OF_RANGE);
+  GDP_CHECK(solver.filter(CGAL::make_property_map(in), CGAL::make_property_map(out), -1) == GDP::ERROR_INVALID_PARAMETER);
   for(double bad : {double(NAN), HUGE_VAL, -HUGE_VAL})
   {
     std::fill(in.begin(), in.end(), 0.);

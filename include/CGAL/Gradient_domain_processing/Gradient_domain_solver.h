@@ -356,11 +356,13 @@ public:
    *
    * \param in the signal \f$ f \f$: a model of `ReadablePropertyMap` with key `vertex_descriptor` and any value that `Signal_traits` knows
    * \param out the result \f$ g \f$: a model of `WritablePropertyMap` with a value of the same dimension; may be `in`
-   * \param number_of_iterations how often the filter is applied, to the last result each time
+   * \param number_of_iterations how often the filter is applied, to the last result each time; `ERROR_INVALID_PARAMETER` if negative
    */
   template <class InMap, class OutMap>
   Error_code filter(InMap in, OutMap out, int number_of_iterations = 1)
   {
+    if(number_of_iterations < 0)
+      return ERROR_INVALID_PARAMETER;
     internal::Signal signal;
     if(const Error_code code = read_signal(in, signal))
       return code;

@@ -141,7 +141,7 @@ Error_code process_face_signal(const TriangleMesh& tm, InMap in, OutMap out, con
     values.push_back(Out_traits::make(result.row(f).data()));
     for(int i = 0; i < Out_traits::dimension; ++i)
       if(!std::isfinite(Out_traits::channel(values.back(), i)))
-        return ERROR_RESULT_OUT_OF_RANGE;
+        return solver.invalid_face(ERROR_RESULT_OUT_OF_RANGE, f);
   }
   for(std::size_t f = 0; f < faces.size(); ++f)
     put(out, faces[f], values[f]);

@@ -47,8 +47,6 @@ template <class TriangleMesh, class InMap, class OutMap, typename CGAL_NP_TEMPLA
 Error_code process_signal(const TriangleMesh& tm, InMap in, OutMap out, const CGAL_NP_CLASS& np = parameters::default_values())
 {
   const int iterations = int(internal::parameter(np, CGAL::internal_np::number_of_iterations, 1));
-  if(iterations < 0)
-    return ERROR_INVALID_PARAMETER;
   return make_gradient_domain_solver(tm, np).filter(in, out, iterations);
 }
 
@@ -66,8 +64,6 @@ Error_code process_signal(const FaceRange& region, const TriangleMesh& tm, InMap
                           const CGAL_NP_CLASS& np = parameters::default_values())
 {
   const int iterations = int(internal::parameter(np, CGAL::internal_np::number_of_iterations, 1));
-  if(iterations < 0)
-    return ERROR_INVALID_PARAMETER;
   return make_gradient_domain_solver(tm, region, np).filter(in, out, iterations);
 }
 

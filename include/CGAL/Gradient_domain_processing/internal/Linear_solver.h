@@ -7,16 +7,11 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_H
 
+#include <CGAL/Gradient_domain_processing/Default_sparse_linear_solver.h>
 #include <CGAL/Gradient_domain_processing/Error_code.h>
 #include <CGAL/Gradient_domain_processing/internal/Sequential_blas_scope.h>
 
-#include <CGAL/Eigen_solver_traits.h>
-
 #include <Eigen/IterativeLinearSolvers>
-#include <Eigen/SparseCholesky>
-#ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD
-#include <Eigen/CholmodSupport>
-#endif
 
 #include <memory>
 #include <new>
@@ -24,26 +19,6 @@
 
 namespace CGAL {
 namespace Gradient_domain_processing {
-
-/*!
- * \ingroup PkgGradientDomainProcessingRef
- *
- * The linear solver of this package unless another is passed: CHOLMOD's supernodal Cholesky factorization where
- * `CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD` is defined (the CMake target does so where it finds SuiteSparse), else
- * that of Eigen. Both are \f$ LL^T \f$, which notices a matrix that is not positive definite.
- *
- * \cgalModels `SparseLinearAlgebraWithFactorTraits_d`
- */
-#ifdef DOXYGEN_RUNNING
-typedef unspecified_type Default_sparse_linear_solver;
-#elif defined(CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD)
-typedef Eigen_solver_traits<Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> >
-  Default_sparse_linear_solver;
-#else
-typedef Eigen_solver_traits<Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int> > >
-  Default_sparse_linear_solver;
-#endif
-
 namespace internal {
 
 // What is known of a solver of Eigen: whether the lower triangle of the matrix is all it reads.
