@@ -4,7 +4,7 @@
 # and find_package(Gradient_domain_processing), which sets Gradient_domain_processing_INCLUDE_DIR beforehand.
 #
 # Each accelerator is used if it is found, and can be switched off:
-#   CGAL_GDP_WITH_CHOLMOD  SuiteSparse's supernodal Cholesky factorisation, with OpenBLAS where that is found
+#   CGAL_GDP_WITH_CHOLMOD  SuiteSparse's supernodal Cholesky factorization, with OpenBLAS where that is found
 #   CGAL_GDP_WITH_TBB      threads
 
 set(Gradient_domain_processing_VERSION 0.1.0)
@@ -44,7 +44,7 @@ target_compile_features(CGAL::Gradient_domain_processing INTERFACE cxx_std_17)
 target_include_directories(CGAL::Gradient_domain_processing INTERFACE ${Gradient_domain_processing_INCLUDE_DIR})
 target_link_libraries(CGAL::Gradient_domain_processing INTERFACE CGAL::CGAL CGAL::Eigen3_support)
 
-set(_gdp_solver "Eigen's Cholesky factorisation")
+set(_gdp_solver "Eigen's Cholesky factorization")
 if(CGAL_GDP_WITH_CHOLMOD)
   find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
   find_library(CHOLMOD_LIBRARY cholmod)

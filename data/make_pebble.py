@@ -7,7 +7,7 @@
 """Writes pebble.off: a rounded block with a wavy relief and scanner-like noise, something to smooth and to sharpen.
 
 An icosphere is pushed out to the superquadric |x|^4 + |y|^4 + |z|^4 = 1 and stretched to a block; relief and noise
-displace it along the ray from the centre. Always the same mesh: the generator of the noise is seeded.
+displace it along the ray from the center. Always the same mesh: the generator of the noise is seeded.
 
     python3 make_pebble.py > pebble.off
 """

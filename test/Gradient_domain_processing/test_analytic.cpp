@@ -115,7 +115,7 @@ struct Flat_torus
     }
   }
 
-  // from one vertex to a neighbour, in the plane
+  // from one vertex to a neighbor, in the plane
   std::array<double, 2> step(Vertex v, Vertex w) const
   {
     const auto wrapped = [](int d, int size) { return (d + size + 1) % size - 1; };

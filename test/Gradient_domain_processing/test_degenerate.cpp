@@ -59,7 +59,7 @@ std::vector<Settings> all_settings()
 
 // ---- degenerate faces
 
-// Splits the edge ab on the side of face `f` only: the gap between the halves and the neighbour is a cap a, b, m, of no height
+// Splits the edge ab on the side of face `f` only: the gap between the halves and the neighbor is a cap a, b, m, of no height
 // where m is on the edge.
 Shape with_cap(Shape shape, int f, double along, const Vec& offset)
 {
@@ -204,7 +204,7 @@ void test_degenerate_faces()
   }
 }
 
-// An almost-zero face does not change its neighbours more than its size warrants. In the limit of no height, a cap ties its
+// An almost-zero face does not change its neighbors more than its size warrants. In the limit of no height, a cap ties its
 // middle vertex to its edge: the result is that of the mesh without it.
 void test_continuity()
 {

@@ -406,7 +406,7 @@ void test_signs_and_directions()
   for(const Principal_curvatures& c : by_jets(sphere, 2))
   {
     GDP_CHECK(is_sound(c));
-    // without normals the far side of the neighbourhood is not told apart, the size is still right
+    // without normals the far side of the neighborhood is not told apart, the size is still right
     GDP_CHECK_NEAR(std::abs(c.min_curvature), 1, 0.02);
   }
 
@@ -524,7 +524,7 @@ void test_degenerate_neighborhoods_of_jets()
         for(const Principal_curvatures& c : by_jets(sampled(ellipsoid("", axes), n), degree))
           GDP_CHECK(is_sound(c));
 
-    // a border: the corner of a paraboloid has neighbours on one side only
+    // a border: the corner of a paraboloid has neighbors on one side only
     const Surface bowl = graph("bowl", [](double x, double y) { return -(x * x + y * y) / 2; },
                                [](double x, double y) { return std::array<double, 5>{{ -x, -y, -1, 0, -1 }}; });
     const Arrays a = sampled(bowl, 32);
@@ -536,7 +536,7 @@ void test_degenerate_neighborhoods_of_jets()
     }
   }
 
-  // the apex of a fan with more neighbours than a fit takes
+  // the apex of a fan with more neighbors than a fit takes
   for(int valence : { 3, 4, 5, 6, 12, 126, 127, 128, 1000 })
   {
     std::vector<Vec3> points(1, Vec3(0, 0, 1));

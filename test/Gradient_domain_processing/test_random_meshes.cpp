@@ -73,7 +73,7 @@ Mesh random_mesh(Random& random)
           CGAL::Euler::remove_face(h, mesh);
     }
   }
-  // slivers: vertices on, or almost on, neighbours and edges
+  // slivers: vertices on, or almost on, neighbors and edges
   for(int number = random.below(4); number > 0; --number)
   {
     const auto h = *std::next(mesh.halfedges().begin(), random.below(int(mesh.number_of_halfedges())));

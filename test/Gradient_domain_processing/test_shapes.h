@@ -166,7 +166,7 @@ inline Shape sphere(int n, double jitter = 0.3)
   return ellipsoid(n, Vec(1, 1, 1), jitter);
 }
 
-// A disk of radius one: rings of n vertices around a centre.
+// A disk of radius one: rings of n vertices around a center.
 inline Shape disk(int n, int rings)
 {
   Shape shape;

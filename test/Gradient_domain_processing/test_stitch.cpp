@@ -210,7 +210,7 @@ void test_colors()
         after = (std::max)(after, std::abs(int(g[v][i]) - int(g[w][i])));
       }
   }
-  std::cout << "colours: jump " << before << " before, " << after << " after" << std::endl;
+  std::cout << "colors: jump " << before << " before, " << after << " after" << std::endl;
   GDP_CHECK(before >= 40);
   GDP_CHECK(after <= 2); // of which one is rounding
   for(Vertex v : patches.mesh.vertices())

@@ -7,7 +7,7 @@
  * `CGAL::Gradient_domain_processing::Curvature_metric_kind`. A lambda will do:
  *
  * \code
- * // creases with a radius under 2 mm are kept, in a mesh whose unit is the millimetre
+ * // creases with a radius under 2 mm are kept, in a mesh whose unit is the millimeter
  * const auto keep_sharp = [](double k1, double k2) {
  *   const double k = std::max(std::abs(k1), std::abs(k2));
  *   const double s = k > 0.5 ? 1e4 : 1;

@@ -38,7 +38,7 @@ struct Principal_curvatures_and_directions
  *
  * estimates principal curvatures and directions at the vertices of a mesh by `CGAL::Monge_via_jet_fitting`. The points around a
  * vertex are gathered ring by ring until there are enough for the degree; the result is oriented by the normals of the mesh, so that
- * convex is positive. Where nothing can be fitted (a vertex without a face, collinear or coincident neighbours), the curvature is zero.
+ * convex is positive. Where nothing can be fitted (a vertex without a face, collinear or coincident neighbors), the curvature is zero.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam VertexCurvatureMap a model of `WritablePropertyMap` with key `vertex_descriptor` and a value type that can be made from

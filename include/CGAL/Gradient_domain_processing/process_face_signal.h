@@ -20,7 +20,7 @@ namespace Gradient_domain_processing {
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * filters a signal on the faces of a mesh, such as normals or colours: finds the \f$ g \f$ that minimizes
+ * filters a signal on the faces of a mesh, such as normals or colors: finds the \f$ g \f$ that minimizes
  *
  * \f[ \alpha \sum_f a_f |f_f - g_f|^2 + \beta \sum_e w_e |\lambda (f_a - f_b) - (g_a - g_b)|^2 \f]
  *

@@ -122,7 +122,7 @@ Error_code stitch(Solver solver, VertexPatchMap patch_map, InMap in, OutMap out)
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * fuses the signals of several patches of a mesh into one without seams, such as the colours of two photographs or the offsets of
+ * fuses the signals of several patches of a mesh into one without seams, such as the colors of two photographs or the offsets of
  * two scans: the gradients inside each patch are kept, and across a seam none is wanted (paper, sections 1 and 2.1; Yu et al. 2004 for
  * positions). On triangles whose vertices belong to different patches the target \f$ v \f$ is the part of \f$ \nabla f \f$ along the edge that lies in one
  * patch (zero between three patches), on all others \f$ \nabla f \f$.

@@ -352,9 +352,9 @@ def creased_box():
   for block in sorted(blocks):
     for axis in range(3):
       for side in (0, 1):
-        neighbour = list(block)
-        neighbour[axis] += 2 * side - 1
-        if tuple(neighbour) in blocks:
+        neighbor = list(block)
+        neighbor[axis] += 2 * side - 1
+        if tuple(neighbor) in blocks:
           continue
         u, v = (axis + 1) % 3, (axis + 2) % 3
         for s in range(2):

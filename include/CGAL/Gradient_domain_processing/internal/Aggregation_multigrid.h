@@ -292,8 +292,8 @@ private:
     });
   }
 
-  // An unknown whose strong neighbours are all free makes an aggregate with them; the others join the neighbour they are coupled
-  // to most strongly. One without strong neighbours is in none.
+  // An unknown whose strong neighbors are all free makes an aggregate with them; the others join the neighbor they are coupled
+  // to most strongly. One without strong neighbors is in none.
   static int aggregate_unknowns(const Matrix& a, const std::vector<Real>& diagonal, Real threshold, std::vector<int>& aggregate)
   {
     const int n = a.rows();

@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Fits a jet to a neighbourhood; where its points do not determine one of this degree, one of the next lower degree.
-// The neighbourhood begins with the vertex, which is at the origin, and its extent is about one.
+// Fits a jet to a neighborhood; where its points do not determine one of this degree, one of the next lower degree.
+// The neighborhood begins with the vertex, which is at the origin, and its extent is about one.
 template <class Kernel = Simple_cartesian<double> >
 class Jet_fitter
 {

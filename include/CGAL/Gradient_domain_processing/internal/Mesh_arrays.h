@@ -95,7 +95,7 @@ struct Mesh_arrays
     return {{t[(i + 1) % 3], t[(i + 2) % 3]}};
   }
 
-  // The neighbours of every vertex.
+  // The neighbors of every vertex.
   Lists one_rings(bool parallel) const
   {
     const int n = number_of_vertices();

@@ -17,7 +17,7 @@ namespace Gradient_domain_processing {
 namespace internal {
 
 // Rings of vertices around a vertex by breadth-first search, one ring at a time. A vertex whose normal points away from the
-// centre's is another sheet of the surface (the far side of a thin part) and ends the search there.
+// center's is another sheet of the surface (the far side of a thin part) and ends the search there.
 // Visits are stamped, so that a new start costs nothing; one object serves one thread.
 class Ring_collector
 {
@@ -65,7 +65,7 @@ public:
     return m_vertices.size() > ring_end;
   }
 
-  // The centre first.
+  // The center first.
   const std::vector<int>& vertices() const { return m_vertices; }
 
 private:

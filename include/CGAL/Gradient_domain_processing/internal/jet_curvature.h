@@ -65,7 +65,7 @@ private:
   static constexpr std::size_t max_number_of_points = Fitter::max_number_of_points;
   static constexpr int max_number_of_additional_rings = 4;
 
-  // The neighbourhood relative to its vertex and divided by its extent, which is returned.
+  // The neighborhood relative to its vertex and divided by its extent, which is returned.
   double place_at_origin()
   {
     const Vec3& origin = m_points[m_rings.vertices().front()];
@@ -147,7 +147,7 @@ bool jet_curvatures_in_parallel(const std::vector<Vec3>& points, const std::vect
 #endif
 
 // Principal curvatures at the vertices from jets of `degree` 2, 3 or 4 (others count as the nearest of these) fitted to
-// rings of neighbours. Rings are given end to end: those of v are neighbors[offsets[v] .. offsets[v+1]). Normals are unit
+// rings of neighbors. Rings are given end to end: those of v are neighbors[offsets[v] .. offsets[v+1]). Normals are unit
 // outward normals and tell the sign; zero where unknown. A vertex without a well determined jet is flat.
 // `go_on(progress)` is called by one thread at a time; once it answers false, so does this function, and `result` is not
 // complete. The answer is the same to the bit whatever the concurrency.

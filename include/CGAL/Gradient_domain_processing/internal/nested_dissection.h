@@ -134,7 +134,7 @@ private:
     ordered.get();
   }
 
-  // A vertex with very many neighbours spoils every cut.
+  // A vertex with very many neighbors spoils every cut.
   Domain put_hubs_last()
   {
     const double many = 100 + 10 * std::sqrt(double(m_order.size()));
@@ -254,7 +254,7 @@ private:
     for(int v : queue) m_slot[v] = outside;
   }
 
-  // Counts, for the cut below each slab, the vertices left of it with a neighbour right of it: all cuts in one pass.
+  // Counts, for the cut below each slab, the vertices left of it with a neighbor right of it: all cuts in one pass.
   Cut sweep(Domain domain, Workspace& workspace)
   {
     auto& population = workspace.population;
@@ -297,7 +297,7 @@ private:
     return best;
   }
 
-  // The band: all vertices with a neighbour across the cut, and as many layers around them as there is room for.
+  // The band: all vertices with a neighbor across the cut, and as many layers around them as there is room for.
   void collect_band(Domain domain, Cut cut, Workspace& workspace)
   {
     std::vector<int>& band = workspace.queue;

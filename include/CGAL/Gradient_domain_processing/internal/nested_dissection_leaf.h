@@ -56,7 +56,7 @@ private:
     return best;
   }
 
-  // The neighbours of v become a clique.
+  // The neighbors of v become a clique.
   void eliminate(int v)
   {
     const Row clique = m_rows[v];

@@ -45,7 +45,7 @@ inline std::vector<std::uint32_t> morton_keys(const std::vector<Eigen::Vector3d>
   return keys;
 }
 
-// The points along a Morton curve: neighbours in space become neighbours in memory. Radix sort, ten bits at a time.
+// The points along a Morton curve: neighbors in space become neighbors in memory. Radix sort, ten bits at a time.
 inline std::vector<int> morton_order(const std::vector<Eigen::Vector3d>& points)
 {
   constexpr std::uint32_t radix = 1024;

@@ -18,13 +18,13 @@ namespace internal {
 // The fewest vertices of a small graph, the band, that part a source from a sink.
 // By Menger's theorem they are as many as there are vertex-disjoint paths from one to the other. The paths are grown by
 // depth-first search through the residual graph. A vertex has two states there, entered and left, and is on one path at
-// most: storing the two neighbours along the path is storing the flow.
+// most: storing the two neighbors along the path is storing the flow.
 class Minimum_vertex_separator
 {
 public:
   enum class Side : char { source, separator, sink };
 
-  // A band is filled vertex by vertex: the neighbours of one, then close_vertex().
+  // A band is filled vertex by vertex: the neighbors of one, then close_vertex().
   void clear()
   {
     m_offsets.assign(1, 0);
@@ -72,7 +72,7 @@ private:
   static int vertex(int state) { return state / 2; }
   static bool is_left(int state) { return state % 2 != 0; }
 
-  // Sorts all neighbours by their distance from the sink, so that the search rarely goes astray.
+  // Sorts all neighbors by their distance from the sink, so that the search rarely goes astray.
   void prefer_short_ways()
   {
     m_distance.assign(size(), size());
