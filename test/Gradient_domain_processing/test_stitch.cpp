@@ -259,6 +259,43 @@ void test_positions()
   }
 }
 
+// Of two seams, the one in the region goes; vertices that have a face outside keep their values, to the bit.
+void test_region()
+{
+  const double offset = 20;
+  Patches patches(square(40), [](const Vec& p) { return int(p.x() > 0.26) + int(p.x() > 0.76); });
+  Mesh& mesh = patches.mesh;
+  auto f = mesh.add_property_map<Vertex, double>("v:f").first;
+  for(Vertex v : mesh.vertices())
+    f[v] = wave(vec(mesh.point(v))) + offset * patches.patch[v];
+  std::vector<Face> region;
+  std::vector<char> has_face_inside(mesh.number_of_vertices(), 0), has_face_outside = has_face_inside;
+  for(Face t : mesh.faces())
+  {
+    const bool is_inside = vec(mesh.point(corners(mesh, t)[0])).x() < 0.5;
+    if(is_inside)
+      region.push_back(t);
+    for(Vertex v : corners(mesh, t))
+      (is_inside ? has_face_inside : has_face_outside)[v] = 1;
+  }
+  auto g = mesh.add_property_map<Vertex, double>("v:g", -1.).first;
+  GDP_CHECK(GDP::stitch(std::vector<Face>(), mesh, patches.patch, f, g, GDP::parameters::gradient_weight(1)) == GDP::OK);
+  GDP_CHECK(GDP::stitch(region, mesh, patches.patch, f, g) == GDP::OK);
+
+  double jump = 0;
+  for(auto e : mesh.edges())
+  {
+    const Vertex v = mesh.vertex(e, 0), w = mesh.vertex(e, 1);
+    if(patches.patch[v] + patches.patch[w] == 1)
+      jump = (std::max)(jump, std::abs((g[v] - wave(vec(mesh.point(v)))) - (g[w] - wave(vec(mesh.point(w))))));
+  }
+  std::cout << "a region: jump " << jump / offset << " of the offset" << std::endl;
+  GDP_CHECK(jump < 0.01 * offset);
+  for(Vertex v : mesh.vertices())
+    if(has_face_outside[v])
+      GDP_CHECK(g[v] == (has_face_inside[v] ? f[v] : -1));
+}
+
 int main()
 {
   test_offsets();
@@ -266,5 +303,6 @@ int main()
   test_equal_patches();
   test_colors();
   test_positions();
+  test_region();
   return GDP_TEST_RESULT();
 }

@@ -22,7 +22,7 @@ namespace internal {
 
 struct Denoising_options
 {
-  static constexpr int most_passes = 20;
+  static constexpr int most_passes = 20, border_passes = 5;
 
   int passes = -1; // chosen from the data
   double noise_level = -1; // estimated
@@ -76,9 +76,7 @@ class Denoiser
   Signal m_input;
   std::vector<Vec3> m_face_normals;
   std::vector<char> m_is_near_border; // by face
-  std::vector<Interior_edge> m_border_edges;
-  Normal_variation m_border_variation;
-  std::vector<Vec3> m_settled_normals; // of faces at the border, once there are
+  std::vector<char> m_is_held;        // by vertex
 
 public:
   Denoiser(Solver& solver, FaceSystem& face_system, const Denoising_options& options)
@@ -114,17 +112,20 @@ public:
         if(const Error_code code = fit_positions())
           return code;
       const Face_geometry faces(m_mesh);
-      if(m_options.passes < 0 && removes_detail(noise, rings, faces))
-      {
-        m_solver.set_points(before);
-        break;
-      }
-      if(k >= 3)
-        settle_border(faces);
       const Normal_variation last = variation;
       variation = Normal_variation(faces, m_face_system.edges());
-      if(m_options.passes < 0 && (k == 5 || k == 6) && variation.is_of_smooth_surface(last))
-        break;
+      if(m_options.passes < 0 && !variation.is_of_folded_surface())
+      {
+        if(removes_detail(noise, rings, faces))
+        {
+          m_solver.set_points(before);
+          break;
+        }
+        if((k == 5 || k == 6) && variation.is_of_smooth_surface(last))
+          break;
+      }
+      if(k + 1 == Denoising_options::border_passes)
+        hold_border();
     }
     return OK;
   }
@@ -152,22 +153,20 @@ private:
   {
     m_is_near_border.resize(m_mesh.triangles.size());
     for(std::size_t f = 0; f < m_is_near_border.size(); ++f)
-      for(int v : m_mesh.triangles[f])
-        m_is_near_border[f] |= m_mesh.is_on_border[v];
-    for(const Interior_edge& e : m_face_system.edges())
-      if(m_is_near_border[e.first] && m_is_near_border[e.second])
-        m_border_edges.push_back(e);
+      m_is_near_border[f] = touches_border(m_mesh, m_mesh.triangles[f]);
+    m_is_held.assign(m_mesh.points.size(), 0);
   }
 
-  // Further passes wear off a border that no longer becomes smoother: its faces keep their normals.
-  void settle_border(const Face_geometry& faces)
+  // At the border there is less to tell shape from noise by, and further passes would wear it off: its faces stay.
+  void hold_border()
   {
-    if(m_border_edges.empty() || !m_settled_normals.empty())
-      return;
-    const Normal_variation last = m_border_variation;
-    m_border_variation = Normal_variation(faces, m_border_edges);
-    if(m_border_variation.is_settled(last))
-      m_settled_normals = m_face_normals;
+    for(std::size_t f = 0; f < m_is_near_border.size(); ++f)
+      if(m_is_near_border[f])
+        for(int v : m_mesh.triangles[f])
+        {
+          m_is_held[v] = 1;
+          m_input.row(v) = m_mesh.points[v].transpose();
+        }
   }
 
   double mean_edge_length() const
@@ -187,7 +186,9 @@ private:
                            m_options.similarity * noise.level * std::pow(m_options.similarity_decay, pass)));
     const double beta = mean_edge_length() * (std::min)(m_options.smoothing_weight_max,
                           m_options.smoothing_weight * noise.level * std::pow(m_options.smoothing_growth, pass));
-    const double near_border = std::pow(m_options.border_normal_decay, pass);
+    const bool border_is_held = pass >= Denoising_options::border_passes;
+    // half as much again, for a face at the border has two neighbours instead of three
+    const double near_border = border_is_held ? 1 : 1.5 * noise.border_level * std::pow(m_options.border_normal_decay, pass);
     const auto& edges = m_face_system.edges();
 
     Signal right(faces.normals.size(), 3), solution;
@@ -212,14 +213,10 @@ private:
       for(std::size_t f = 0; f < m_face_normals.size(); ++f)
       {
         const double length = solution.row(f).norm();
-        if(length > 0)
+        if(length > 0 && !(border_is_held && m_is_near_border[f]))
           m_face_normals[f] = solution.row(f).transpose() / length;
       }
     }
-    if(!m_settled_normals.empty())
-      for(std::size_t f = 0; f < m_face_normals.size(); ++f)
-        if(m_is_near_border[f])
-          m_face_normals[f] = m_settled_normals[f];
     return OK;
   }
 
@@ -235,6 +232,9 @@ private:
     Signal change;
     if(const Error_code code = m_solver.solve(excess, 3, change))
       return code;
+    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
+      if(m_is_held[v])
+        change.row(v).setZero();
     m_solver.set_points(m_input + change);
     return OK;
   }
@@ -373,7 +373,7 @@ Error_code denoise(Solver solver, TriangleMesh& tm, const NamedParameters& np)
  *     \cgalParamDefault{`3`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{border_normal_decay}
- *     \cgalParamDescription{by which the smoothing of normals at the border is multiplied from pass to pass; 0.8 to 1. From the fifth pass on, normals of border faces stay once they have settled.}
+ *     \cgalParamDescription{by which the smoothing of normals at the border is multiplied from pass to pass; 0.8 to 1. After the fifth pass the faces at the border stay, to the bit.}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{`0.85`}
  *   \cgalParamNEnd

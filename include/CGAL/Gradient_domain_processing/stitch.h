@@ -80,9 +80,12 @@ inline std::vector<char> find_seams(const Mesh_arrays& mesh, const std::vector<i
   return is_seam;
 }
 
-template <class Solver, class VertexPatchMap, class InMap, class OutMap>
-Error_code stitch(Solver solver, VertexPatchMap patch_map, InMap in, OutMap out)
+template <class Solver, class VertexPatchMap, class InMap, class OutMap, class NamedParameters>
+Error_code stitch(Solver solver, VertexPatchMap patch_map, InMap in, OutMap out, const NamedParameters&)
 {
+  using namespace CGAL::internal_np;
+  if(!Has_parameter<gradient_weight_t, NamedParameters>::value && !Has_parameter<face_gradient_weight_map_t, NamedParameters>::value)
+    solver.set_gradient_weight(1e4);
   Signal signal;
   if(const Error_code code = solver.read_signal(in, signal))
     return code;
@@ -149,12 +152,23 @@ template <class TriangleMesh, class VertexPatchMap, class InMap, class OutMap, t
 Error_code stitch(const TriangleMesh& tm, VertexPatchMap patches, InMap in, OutMap out,
                   const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  using namespace CGAL::internal_np;
-  auto solver = make_gradient_domain_solver(tm, np);
-  if(!internal::Has_parameter<gradient_weight_t, CGAL_NP_CLASS>::value
-     && !internal::Has_parameter<face_gradient_weight_map_t, CGAL_NP_CLASS>::value)
-    solver.set_gradient_weight(1e4);
-  return internal::stitch(std::move(solver), patches, in, out);
+  return internal::stitch(make_gradient_domain_solver(tm, np), patches, in, out, np);
+}
+
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * does so in a region of the mesh, such as the surroundings of one seam. Vertices that have a face outside of the region keep their
+ * values, to the bit, and `out` is written at the vertices of the region only.
+ *
+ * \param region a range of `face_descriptor`; may be empty
+ * \param tm, patches, in, out, np as above
+ */
+template <class FaceRange, class TriangleMesh, class VertexPatchMap, class InMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Error_code stitch(const FaceRange& region, const TriangleMesh& tm, VertexPatchMap patches, InMap in, OutMap out,
+                  const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return internal::stitch(make_gradient_domain_solver(tm, region, np), patches, in, out, np);
 }
 
 } // namespace Gradient_domain_processing

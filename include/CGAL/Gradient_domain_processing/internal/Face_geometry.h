@@ -10,6 +10,7 @@
 #include <CGAL/Gradient_domain_processing/internal/Face_system.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -57,6 +58,11 @@ inline std::vector<Vec3> vertex_normals(const Mesh_arrays& mesh, const std::vect
   return result;
 }
 
+inline bool touches_border(const Mesh_arrays& mesh, const std::array<int, 3>& triangle)
+{
+  return mesh.is_on_border[triangle[0]] || mesh.is_on_border[triangle[1]] || mesh.is_on_border[triangle[2]];
+}
+
 inline double median(std::vector<double> numbers)
 {
   if(numbers.empty())
@@ -87,6 +93,9 @@ struct Normal_variation
   }
 
   bool is_settled(const Normal_variation& before) const { return before.median > 0 && median > 0.9 * before.median; }
+
+  // 40 degrees from face to face: noise has folded what is there, and creases come out of it late if at all.
+  bool is_of_folded_surface() const { return root_mean_square > 0.7; }
 
   // Flat pieces between creases have a small median, and go on to become flatter; where nothing stands out, there is no detail
   // to lose.

@@ -25,6 +25,7 @@ struct Noise_estimate
   double level = 0;             // of face normals, in radians; zero for a clean mesh
   double share = 1;             // of the roughness: noise rather than detail
   double border_variance = 1;   // of the noise at the border, relative to that inside
+  double border_level = 1;      // of face normals at the border, relative to that of all; at most one
 };
 
 // How alike pairs of numbers are: 1 for equal ones, -1 for opposite ones. Medians do not see creases, means do not overlook noise
@@ -84,24 +85,34 @@ inline double noise_share(double along, double across)
   return 1;
 }
 
-// How far face normals are from the mean of their neighbours'.
-inline double median_roughness(const Face_geometry& faces, const std::vector<Interior_edge>& edges)
+// How far face normals are from the mean of their neighbours', in the median.
+struct Roughness
 {
-  std::vector<Vec3> sum(faces.normals.size(), Vec3(0, 0, 0));
-  std::vector<int> degree(faces.normals.size(), 0);
-  for(const Interior_edge& e : edges)
+  double of_faces, of_border_faces;
+
+  Roughness(const Mesh_arrays& mesh, const Face_geometry& faces, const std::vector<Interior_edge>& edges)
   {
-    sum[e.first] += faces.normals[e.second];
-    sum[e.second] += faces.normals[e.first];
-    ++degree[e.first];
-    ++degree[e.second];
+    std::vector<Vec3> sum(faces.normals.size(), Vec3(0, 0, 0));
+    std::vector<int> degree(faces.normals.size(), 0);
+    for(const Interior_edge& e : edges)
+    {
+      sum[e.first] += faces.normals[e.second];
+      sum[e.second] += faces.normals[e.first];
+      ++degree[e.first];
+      ++degree[e.second];
+    }
+    std::vector<double> all, at_border;
+    for(std::size_t f = 0; f < sum.size(); ++f)
+      if(degree[f] > 0 && faces.normals[f] != Vec3(0, 0, 0))
+      {
+        all.push_back((faces.normals[f] - sum[f] / degree[f]).norm());
+        if(touches_border(mesh, mesh.triangles[f]))
+          at_border.push_back(all.back());
+      }
+    of_faces = median(std::move(all));
+    of_border_faces = median(std::move(at_border));
   }
-  std::vector<double> roughness;
-  for(std::size_t f = 0; f < sum.size(); ++f)
-    if(degree[f] > 0 && faces.normals[f] != Vec3(0, 0, 0))
-      roughness.push_back((faces.normals[f] - sum[f] / degree[f]).norm());
-  return median(std::move(roughness));
-}
+};
 
 // A corner of two triangles in one plane was not displaced. Nearly all vertices of refined facets are such.
 inline bool is_faceted(const Mesh_arrays& mesh, const Face_geometry& faces, const std::vector<Interior_edge>& edges, double roughness)
@@ -189,15 +200,17 @@ inline Noise_estimate estimate_noise(const Mesh_arrays& mesh, const Face_geometr
   constexpr double level_of_clean_meshes = 0.07; // curvature and coarse triangulation look like so much noise
   const double share_of_clean_meshes = 0.08 + 1 / std::sqrt(1. + double(edges.size())); // as exactly as a share is known
 
-  const double roughness = median_roughness(faces, edges);
+  const Roughness roughness(mesh, faces, edges);
   const Vertex_offsets offsets(mesh, vertex_normals(mesh, faces.areas, faces.normals), rings);
   const double share = offsets.share_of_noise(mesh, edges);
 
   Noise_estimate noise;
   noise.share = std::sqrt(share);
   noise.border_variance = offsets.border_variance();
-  const double level = normal_noise_by_roughness * roughness * noise.share;
-  if(share > share_of_clean_meshes && level > level_of_clean_meshes && !is_faceted(mesh, faces, edges, roughness))
+  if(roughness.of_border_faces < roughness.of_faces)
+    noise.border_level = roughness.of_border_faces / roughness.of_faces;
+  const double level = normal_noise_by_roughness * roughness.of_faces * noise.share;
+  if(share > share_of_clean_meshes && level > level_of_clean_meshes && !is_faceted(mesh, faces, edges, roughness.of_faces))
     noise.level = std::sqrt(level * level - level_of_clean_meshes * level_of_clean_meshes);
   return noise;
 }
