@@ -9,7 +9,7 @@
 
     make_figures.py BUILD [--data ARCHIVE_OR_FOLDER] [--output FOLDER] [--only NAME ...]
 
-BUILD is a folder in which gradient_domain_filter and the examples are built. Debian: python3-vtk9, python3-numpy, and
+BUILD is a folder in which gradient_domain_filter, the examples and the tests are built. Debian: python3-vtk9, python3-numpy, and
 xvfb where there is no display. Running it again gives the same pictures.
 """
 
@@ -18,13 +18,14 @@ import os
 import shutil
 import subprocess
 import sys
-import tarfile
 import tempfile
 
 import numpy as np
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-ARCHIVE = "/usr/share/doc/libcgal-dev/data.tar.gz"
+sys.path.insert(0, os.path.join(HERE, "../../benchmark/Gradient_domain_processing"))
+from cgal_data import ARCHIVE, folder_of_meshes  # noqa: E402
+
 SMOOTHNESS = 2  # pixels are the mean of so many squared
 
 CLAY = (0.84, 0.82, 0.78)
@@ -33,6 +34,7 @@ VIEWS = {  # from where, which way is up, how much closer than all of it
     "bunny00": ((-0.15, 0.25, 1), (0, 1, 0), 1.0),
     "fandisk_large": ((0.9, -0.75, 0.75), (0, 0, 1), 1.0),
     "anchor_dense": ((0.6, 0.5, 0.8), (0, 1, 0), 1.0),
+    "scan": ((0.45, -0.6, 1), (-0.2, 1, 0), 1.05),
 }
 
 
@@ -161,6 +163,12 @@ class Programs:
         write_ply(source, mesh)
         subprocess.run([self.path(name), source], check=True, cwd=self.folder, stdout=subprocess.DEVNULL)
         return [read_ply(os.path.join(self.folder, r)) for r in results]
+
+    def range_scan(self):
+        """The simulated scan of the tests: noisy, and smoothed by three metrics to the same noise."""
+        subprocess.run([self.path("test_range_scan"), self.folder], check=True, stdout=subprocess.DEVNULL)
+        names = ["noisy", "isotropic", "edge_aware", "anisotropic"]
+        return [read_off(os.path.join(self.folder, name + ".off")) for name in names]
 
 
 # ---- pictures --------------------------------------------------------------------------------------------------------
@@ -355,6 +363,14 @@ class Figures:
         width = max(panel.shape[1] for row in rows for panel in row)
         write_png(os.path.join(self.output, "noise.png"), [[centered(panel, width) for panel in row] for row in rows])
 
+    def scan(self):
+        meshes, labels = self.programs.range_scan(), ["noisy scan", "isotropic", "edge-aware", "anisotropic"]
+        points = meshes[0].points
+        frame = Mesh(points[(np.abs(points[:, 0]) < 32) & (points[:, 1] > -18) & (points[:, 1] < 30)], [])
+        panels = [render(m, "scan", frame, (380, 280), l) for m, l in zip(meshes, labels)]
+        rows = [[centered(panel, panel.shape[1] + 14) for panel in row] for row in cropped([panels[:2], panels[2:]])]
+        write_png(os.path.join(self.output, "scan.png"), rows)
+
     def denoising(self):
         clean, view = self.mesh("fandisk_large"), "fandisk_large"
         noisy = clean.with_noise(0.2)
@@ -421,7 +437,7 @@ class Figures:
         self.save("stitch", [panels])
 
 
-NAMES = ["smooth_sharpen", "weight_sweep", "noise", "denoising", "metrics", "one_sided", "two_passes", "curvature", "masks", "stitch"]
+NAMES = ["smooth_sharpen", "weight_sweep", "noise", "scan", "denoising", "metrics", "one_sided", "two_passes", "curvature", "masks", "stitch"]
 
 
 def main():
@@ -438,11 +454,7 @@ def main():
         os.execvp("xvfb-run", ["xvfb-run", "-a", "-s", "-screen 0 1600x1200x24 -noreset", sys.executable] + sys.argv)
 
     with tempfile.TemporaryDirectory() as folder:
-        data = arguments.data
-        if os.path.isfile(data):
-            with tarfile.open(data) as archive:
-                archive.extractall(folder, [m for m in archive.getmembers() if m.name.startswith("data/meshes/") and m.name.endswith(".off")])
-            data = os.path.join(folder, "data", "meshes")
+        data = folder_of_meshes(arguments.data, folder)
         os.makedirs(arguments.output, exist_ok=True)
         figures = Figures(Programs(os.path.abspath(arguments.build), folder), data, arguments.output)
         for name in arguments.only:
