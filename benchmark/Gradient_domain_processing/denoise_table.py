@@ -11,12 +11,12 @@ import argparse
 import os
 import subprocess
 import sys
-import tarfile
 import tempfile
 
 import numpy as np
 
-ARCHIVE = "/usr/share/doc/libcgal-dev/data.tar.gz"
+from cgal_data import ARCHIVE, folder_of_meshes
+
 NOISES = {"normal": "along normals", "random": "in random directions"}
 PAIRS = [("fandisk_large", "normal", 0.1), ("fandisk_large", "normal", 0.3), ("fandisk_large", "random", 0.3), ("fandisk_large", "normal", 0.5),
          ("anchor_dense", "normal", 0.3), ("anchor_dense", "random", 0.5), ("bear", "normal", 0.2),
@@ -129,11 +129,7 @@ def main():
     arguments = parser.parse_args()
 
     with tempfile.TemporaryDirectory() as folder:
-        data = arguments.data
-        if os.path.isfile(data):
-            with tarfile.open(data) as archive:
-                archive.extractall(folder, [m for m in archive.getmembers() if m.name.startswith("data/meshes/") and m.name.endswith(".off")])
-            data = os.path.join(folder, "data", "meshes")
+        data = folder_of_meshes(arguments.data, folder)
         run = Filter(arguments.build, folder)
         print("| model | noise, mean edges | noisy | isotropic, best | anisotropic, best | `denoise()` | passes | shift | volume |")
         print("|:--|:--|--:|--:|--:|--:|--:|--:|--:|")

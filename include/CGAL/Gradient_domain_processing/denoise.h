@@ -187,7 +187,7 @@ private:
     const double beta = mean_edge_length() * (std::min)(m_options.smoothing_weight_max,
                           m_options.smoothing_weight * noise.level * std::pow(m_options.smoothing_growth, pass));
     const bool border_is_held = pass >= Denoising_options::border_passes;
-    // half as much again, for a face at the border has two neighbours instead of three
+    // half as much again, for a face at the border has two neighbors instead of three
     const double near_border = border_is_held ? 1 : 1.5 * noise.border_level * std::pow(m_options.border_normal_decay, pass);
     const auto& edges = m_face_system.edges();
 
@@ -285,14 +285,15 @@ Error_code denoise(Solver solver, TriangleMesh& tm, const NamedParameters& np)
  * removes noise from the positions of a mesh and keeps its creases, without a parameter to choose. Normals and positions are
  * filtered in turn:
  * - the face normals, a signal on the faces, by a Laplacian of the dual mesh whose weights fall with the distance of
- *   neighbouring normals (Geman and McClure's function; twice a pass). The distance \f$ \sigma \f$ that counts as similar and the
+ *   neighboring normals (Geman and McClure's function; twice a pass). The distance \f$ \sigma \f$ that counts as similar and the
  *   weight \f$ \beta \f$ of the smoothing follow from the noise that is estimated on the input;
  * - the positions by equation 1 of the paper, under the metric of equilateral triangles, with the values of the noisy input and the
  *   target \f$ v = (I - n n^T) \nabla x \f$, the tangential part of the current gradients. So vertices do not slide.
  *
  * The passes go on while what they remove looks like noise, 20 times at most; where no flat pieces between creases have come out
- * after 6 or 7 passes and normals have settled, the surface is smooth and they end. A clean mesh is returned as it is: its roughness
- * is not taken for noise where neighbouring vertices stand out together, or lie in the planes of larger facets.
+ * after 6 or 7 passes and normals have settled, the surface is smooth and they end. After the fifth pass the faces at a border stay
+ * as they are. A clean mesh is returned as it is: its roughness is not taken for noise where neighboring vertices stand out
+ * together, or lie in the planes of larger facets.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, with a vertex point map that can be written
  *
@@ -363,7 +364,7 @@ Error_code denoise(Solver solver, TriangleMesh& tm, const NamedParameters& np)
  *     \cgalParamDefault{`3`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{residual_correlation}
- *     \cgalParamDescription{the correlation between neighbouring vertices of what was removed, beyond which it is taken for detail and the passes end; useful: 0.05 to 0.1. Without a meaning where a number of passes is named.}
+ *     \cgalParamDescription{the correlation between neighboring vertices of what was removed, beyond which it is taken for detail and the passes end; useful: 0.05 to 0.1. Without a meaning where a number of passes is named.}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{`0.07`}
  *   \cgalParamNEnd

@@ -57,7 +57,7 @@ public:
 
 constexpr double neither_noise_nor_detail = -1; // but a pattern
 
-// The share n of white noise in the variance of the distances of vertices from the mean of their neighbours, told from the
+// The share n of white noise in the variance of the distances of vertices from the mean of their neighbors, told from the
 // correlations along edges and of the two vertices opposite to an edge, across it. For white noise they are -0.17 and 0.08. For
 // surface detail they are 0.3 to 0.8 and, as those vertices are further apart, about that to the power of 1.4. So n solves
 // across - 0.08 n = (1 - n) ((along + 0.17 n) / (1 - n))^1.4.
@@ -85,7 +85,7 @@ inline double noise_share(double along, double across)
   return 1;
 }
 
-// How far face normals are from the mean of their neighbours', in the median.
+// How far face normals are from the mean of their neighbors', in the median.
 struct Roughness
 {
   double of_faces, of_border_faces;
@@ -133,7 +133,7 @@ inline bool is_faceted(const Mesh_arrays& mesh, const Face_geometry& faces, cons
   return 20 * in_place > 19 * inside;
 }
 
-// How far vertices are above the mean of their neighbours.
+// How far vertices are above the mean of their neighbors.
 class Vertex_offsets
 {
   std::vector<double> m_offsets;

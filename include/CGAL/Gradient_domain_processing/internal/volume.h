@@ -17,7 +17,7 @@ namespace Gradient_domain_processing {
 namespace internal {
 
 // Scales every component about its centroid (that of its surface) so that it encloses the volume it enclosed with the points
-// `before`. A component without volume, or turned inside out, is left as it is.
+// `before`. A component whose volume is the same, that has none, or that is turned inside out is left as it is.
 inline void restore_volumes(const Mesh_arrays& mesh, const std::vector<Vec3>& before, std::vector<Vec3>& after)
 {
   const Components components = connected_components(mesh);
@@ -51,7 +51,7 @@ inline void restore_volumes(const Mesh_arrays& mesh, const std::vector<Vec3>& be
   {
     const Sums& s = sums[components.of_vertex[v]];
     const double ratio = s.volume_before / s.volume_after;
-    if(!s.has_origin || !(ratio > 0) || !std::isfinite(ratio) || !(s.area > 0))
+    if(!s.has_origin || !(ratio > 0) || ratio == 1 || !std::isfinite(ratio) || !(s.area > 0))
       continue;
     const Vec3 centroid = s.origin + s.moment / s.area;
     after[v] = centroid + std::cbrt(ratio) * (after[v] - centroid);
