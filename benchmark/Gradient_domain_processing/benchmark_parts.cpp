@@ -153,10 +153,10 @@ void benchmark_assembly(const Mesh& mesh, int repetitions)
   auto solver = GDP::make_gradient_domain_solver(mesh);
   require(solver.factorize());
   const auto& system = solver.system();
-  GDP::internal::Sparse_matrix pattern
-    = GDP::internal::sparsity_pattern(system.mesh.one_rings(true), system.unknowns(), true, true);
+  GDP::internal::Sparse_matrix filled
+    = GDP::internal::matrix_of(GDP::internal::sparsity_pattern(system.mesh.one_rings(true), system.unknowns(), true, true));
   const auto refill = [&](bool parallel) {
-    GDP::internal::assemble(system.mesh, GDP::internal::Face_metrics(), system.weights(), system.unknowns(), parallel, pattern);
+    GDP::internal::assemble(system.mesh, GDP::internal::Face_metrics(), system.weights(), system.unknowns(), parallel, filled);
   };
   print("assembly", mesh, in_turns(repetitions, {{"triplets", by_triplets},
                                                  {"sequential", [&] { refill(false); }},

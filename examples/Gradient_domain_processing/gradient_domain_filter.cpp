@@ -125,7 +125,7 @@ void run(const Options& options)
 int main(int argc, char* argv[])
 {
 #ifdef __GLIBC__
-  mallopt(M_MMAP_THRESHOLD, 1 << 20); // large arrays go back to the system as they are freed: a tenth of the memory
+  mallopt(M_MMAP_THRESHOLD, 1 << 17); // large arrays go back to the system as they are freed: a tenth of the memory
 #endif
   Options options;
   try

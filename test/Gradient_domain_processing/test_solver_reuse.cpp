@@ -31,10 +31,11 @@ typedef Eigen::SparseMatrix<double> Sparse;
 
 namespace {
 
-// A solver in the manner of Eigen's that counts what it is asked to do.
+// A solver in the manner of Eigen's that counts what it is asked to do, and reads the matrix again as it solves, as UMFPACK does.
 class Counting_solver
 {
   Eigen::SimplicialLLT<Sparse> m_solver;
+  const Sparse* m_matrix = nullptr;
 
 public:
   typedef Sparse MatrixType;
@@ -49,6 +50,7 @@ public:
   void factorize(const Sparse& matrix)
   {
     ++factorizations;
+    m_matrix = &matrix;
     m_solver.factorize(matrix);
   }
   void compute(const Sparse& matrix)
@@ -60,7 +62,9 @@ public:
   {
     ++solutions;
     right_hand_sides += int(right.cols());
-    return m_solver.solve(right);
+    const Eigen::MatrixXd solution = m_solver.solve(right);
+    GDP_CHECK((*m_matrix * solution - right).norm() <= 1e-9 * right.norm());
+    return solution;
   }
   Eigen::ComputationInfo info() const { return m_solver.info(); }
 };

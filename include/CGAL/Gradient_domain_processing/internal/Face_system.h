@@ -72,11 +72,8 @@ public:
       const auto& t = mesh.triangles[f];
       centers[f] = (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3;
     }
-    m_unknowns.vertex = elimination_order(centers, neighbors, parallel);
-    m_unknowns.column.resize(n);
-    for(int k = 0; k < n; ++k)
-      m_unknowns.column[m_unknowns.vertex[k]] = k;
-    m_matrix = sparsity_pattern(neighbors, m_unknowns, m_solver.reads_lower_triangle, parallel);
+    m_unknowns = order_unknowns(centers, neighbors, [](int) { return true; }, parallel);
+    m_matrix = matrix_of(sparsity_pattern(neighbors, m_unknowns, m_solver.reads_lower_triangle, parallel));
     return m_solver.analyze(m_matrix);
   }
 

@@ -13,7 +13,7 @@
 #include <CGAL/Gradient_domain_processing/internal/Mesh_arrays.h>
 #include <CGAL/Gradient_domain_processing/internal/assembly.h>
 #include <CGAL/Gradient_domain_processing/internal/connected_components.h>
-#include <CGAL/Gradient_domain_processing/internal/nested_dissection.h>
+#include <CGAL/Gradient_domain_processing/internal/elimination_order.h>
 
 #include <numeric>
 #include <vector>
@@ -21,12 +21,6 @@
 namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
-
-inline std::vector<int> elimination_order(const std::vector<Vec3>& points, const Lists& neighbors, bool parallel)
-{
-  return parallel ? nested_dissection<Parallel_tag>(points, neighbors.offsets, neighbors.items)
-                  : nested_dissection<Sequential_tag>(points, neighbors.offsets, neighbors.items);
-}
 
 // The system (alpha M + beta S) (g - f) = beta (D v - S f) on arrays. It is solved for the change of the signal, so that the
 // rounding error is that of the change, and what need not change does not.
@@ -42,7 +36,7 @@ private:
   Face_metrics m_metrics;
   Weights m_weights;
   Unknowns m_unknowns;
-  Sparse_matrix m_matrix; // its pattern, for as long as the system lives; its values are those of the last assembly
+  Lists m_pattern; // of the matrix, by column, for as long as the system lives
   Sparse_matrix m_unshifted;
   Linear_solver<SparseLinearSolver> m_solver;
   bool m_is_analyzed = false, m_is_factorized = false, m_values_weigh_little = false;
@@ -87,7 +81,7 @@ public:
     Stage_scope stage(progress, Stage::ANALYZE);
 
     order_unknowns();
-    const Error_code code = m_unknowns.size() > 0 ? m_solver.analyze(m_matrix) : OK;
+    const Error_code code = m_unknowns.size() > 0 ? m_solver.analyze(matrix_of(m_pattern)) : OK;
     m_is_analyzed = code == OK;
     return code;
   }
@@ -104,15 +98,17 @@ public:
     {
       if(!progress.go_on(0))
         return ERROR_CANCELLED;
+      Sparse_matrix matrix; // the solver has a factor or a copy of it, so it need not stay
       {
         Stage_scope stage(progress, Stage::ASSEMBLE);
-        assemble(mesh, m_metrics, m_weights, m_unknowns, parallel, m_matrix);
-        m_values_weigh_little = values_weigh_little();
+        matrix = matrix_of(m_pattern);
+        assemble(mesh, m_metrics, m_weights, m_unknowns, parallel, matrix);
+        m_values_weigh_little = values_weigh_little(matrix);
       }
       if(!progress.go_on(0))
         return ERROR_CANCELLED;
       Stage_scope stage(progress, Stage::FACTOR);
-      if(const Error_code code = factorize_or_shift())
+      if(const Error_code code = factorize_or_shift(matrix))
         return code;
     }
     m_is_factorized = true;
@@ -127,10 +123,15 @@ public:
   {
     if(const Error_code code = factorize(progress))
       return code;
-    if(!displaces_constraints)
-      displacement.setZero(mesh.number_of_vertices(), channels);
+    const auto clear_displacement = [&] {
+      if(!displaces_constraints)
+        displacement.setZero(mesh.number_of_vertices(), channels);
+    };
     if(m_unknowns.size() == 0)
+    {
+      clear_displacement();
       return OK;
+    }
 
     if(!progress.go_on(0))
       return ERROR_CANCELLED;
@@ -142,6 +143,7 @@ public:
 
     if(const Error_code code = solve_refined(residual))
       return code;
+    clear_displacement(); // not before: memory is scarcest in the solver
     parallel_for(parallel, m_unknowns.size(), [&](std::size_t row) {
       displacement.row(m_unknowns.vertex[row]) = residual.row(row);
     });
@@ -164,30 +166,22 @@ private:
   void order_unknowns()
   {
     const Lists rings = mesh.one_rings(parallel);
-    const std::vector<int> order = elimination_order(mesh.points, rings, parallel);
-    m_unknowns.column.assign(mesh.number_of_vertices(), -1);
-    m_unknowns.vertex.clear();
-    for(int v : order)
-      if(!is_constrained[v] && mesh.corners.size(v) > 0)
-      {
-        m_unknowns.column[v] = m_unknowns.size();
-        m_unknowns.vertex.push_back(v);
-      }
-    m_matrix = sparsity_pattern(rings, m_unknowns, m_solver.reads_lower_triangle, parallel);
+    m_unknowns = internal::order_unknowns(mesh.points, rings, [&](int v) { return !is_constrained[v] && mesh.corners.size(v) > 0; }, parallel);
+    m_pattern = sparsity_pattern(rings, m_unknowns, m_solver.reads_lower_triangle, parallel);
   }
 
   // Components of very different size, or nearly degenerate triangles, may lose the positive definiteness to rounding. A shift
   // of the diagonal brings it back, and refinement takes the shift out of the solution.
-  Error_code factorize_or_shift()
+  Error_code factorize_or_shift(Sparse_matrix& matrix)
   {
-    m_unshifted.resize(0, 0);
-    Error_code code = m_solver.factorize(m_matrix);
+    m_unshifted = Sparse_matrix();
+    Error_code code = m_solver.factorize(matrix);
     if(code == OK || m_solver.is_iterative)
       return code;
-    m_unshifted = m_matrix;
+    m_unshifted = matrix;
     for(int j = 0; j < m_unknowns.size(); ++j)
-      m_matrix.coeffRef(j, j) *= 1 + 1e-10;
-    return m_solver.factorize(m_matrix);
+      matrix.coeffRef(j, j) *= 1 + 1e-10;
+    return m_solver.factorize(matrix);
   }
 
   // The solution takes the place of the right-hand side.
@@ -216,11 +210,11 @@ private:
 
   // Whether rounding might decide on the constant of a component: the sums of the rows, which hold the values' part, are all but
   // lost in the diagonal.
-  bool values_weigh_little() const
+  bool values_weigh_little(const Sparse_matrix& matrix) const
   {
-    Eigen::VectorXd sums = Eigen::VectorXd::Zero(m_matrix.cols()), diagonal(m_matrix.cols());
-    for(int j = 0; j < m_matrix.outerSize(); ++j)
-      for(Sparse_matrix::InnerIterator it(m_matrix, j); it; ++it)
+    Eigen::VectorXd sums = Eigen::VectorXd::Zero(matrix.cols()), diagonal(matrix.cols());
+    for(int j = 0; j < matrix.outerSize(); ++j)
+      for(Sparse_matrix::InnerIterator it(matrix, j); it; ++it)
       {
         sums[j] += it.value();
         if(it.row() == j)

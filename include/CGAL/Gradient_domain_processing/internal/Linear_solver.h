@@ -36,7 +36,8 @@ template <class Matrix>
 struct Reads_lower_triangle<Eigen::CholmodSupernodalLLT<Matrix, Eigen::Lower> > : std::true_type {};
 #endif
 
-// The unknowns come in a fill-reducing order already; CHOLMOD shall not look for another, unless it was told to.
+// The unknowns come in a fill-reducing order already, postordered; CHOLMOD shall not look for another, unless it was told to, nor
+// copy the matrix to permute it.
 template <class EigenSolver>
 void keep_order(EigenSolver&) {}
 #ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD
@@ -50,8 +51,19 @@ void keep_order(Eigen::CholmodSupernodalLLT<Matrix, Eigen::Lower>& solver)
   {
     common.nmethods = 1;
     common.method[0].ordering = CHOLMOD_NATURAL;
-    common.postorder = 1;
+    common.postorder = 0;
   }
+}
+#endif
+
+// What a solver needs while it works only, and would keep.
+template <class EigenSolver>
+void release_workspace(EigenSolver&) {}
+#ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD
+template <int options, int triangle>
+void release_workspace(Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double, options, int>, triangle>& solver)
+{
+  cholmod_free_work(&solver.cholmod());
 }
 #endif
 
@@ -130,7 +142,7 @@ template <class EigenSolver>
 class Linear_solver<Eigen_solver_traits<EigenSolver> >
 {
   Eigen_solver_traits<EigenSolver> m_traits; // shares its solver with the caller's copy
-  Eigen::SparseMatrix<double> m_matrix;      // iterative solvers read it as they solve
+  Eigen::SparseMatrix<double> m_matrix;      // some read it as they solve: iterative ones, UMFPACK
 
 public:
   static constexpr bool reads_lower_triangle = Reads_lower_triangle<EigenSolver>::value;
@@ -146,6 +158,7 @@ public:
       return guarded([&] {
         keep_order(m_traits.solver());
         m_traits.solver().analyzePattern(matrix);
+        release_workspace(m_traits.solver());
         return !out_of_memory(m_traits.solver());
       });
   }
@@ -153,13 +166,19 @@ public:
   Error_code factorize(const Eigen::SparseMatrix<double>& matrix)
   {
     return guarded([&] {
-      if constexpr (is_iterative)
+      if constexpr (reads_lower_triangle && !is_iterative) // the Cholesky factorizations, which need no more than the factor
       {
-        m_matrix = matrix;
-        m_traits.solver().compute(m_matrix);
+        m_traits.solver().factorize(matrix);
+        release_workspace(m_traits.solver());
       }
       else
-        m_traits.solver().factorize(matrix);
+      {
+        m_matrix = matrix;
+        if constexpr (is_iterative)
+          m_traits.solver().compute(m_matrix);
+        else
+          m_traits.solver().factorize(m_matrix);
+      }
       return m_traits.solver().info() == Eigen::Success;
     });
   }

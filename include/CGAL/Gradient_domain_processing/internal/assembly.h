@@ -94,38 +94,42 @@ struct Unknowns
   int size() const { return static_cast<int>(vertex.size()); }
 };
 
-// The sparsity pattern of alpha M + beta S in compressed columns: all of it, or its lower triangle.
-inline Sparse_matrix sparsity_pattern(const Lists& rings, const Unknowns& unknowns, bool lower_only, bool parallel)
+// The sparsity pattern of alpha M + beta S, the rows of every column in increasing order: all of them, or those of the lower triangle.
+inline Lists sparsity_pattern(const Lists& rings, const Unknowns& unknowns, bool lower_only, bool parallel)
 {
   const int n = unknowns.size();
-  const auto rows = [&](int column, int* out) {
-    int* last = out;
-    *last++ = column;
-    const int v = unknowns.vertex[column];
-    for(const int* w = rings.begin(v); w != rings.end(v); ++w)
-    {
-      const int row = unknowns.column[*w];
-      if(row > column || (row >= 0 && !lower_only))
-        *last++ = row;
-    }
-    std::sort(out, last);
-    return last;
-  };
-  const auto count = [&](int column) {
-    const int v = unknowns.vertex[column];
-    return 1 + int(std::count_if(rings.begin(v), rings.end(v), [&](int w) {
-      return unknowns.column[w] > column || (unknowns.column[w] >= 0 && !lower_only);
+  const auto is_in = [&](int row, int column) { return row > column || (row >= 0 && !lower_only); };
+  Lists pattern;
+  pattern.offsets.assign(n + 1, 0);
+  parallel_for(parallel, n, [&](std::size_t j) {
+    const int v = unknowns.vertex[j];
+    pattern.offsets[j + 1] = 1 + int(std::count_if(rings.begin(v), rings.end(v), [&](int w) {
+      return is_in(unknowns.column[w], int(j));
     }));
-  };
-
-  Sparse_matrix matrix(n, n);
-  int* const offsets = matrix.outerIndexPtr();
-  parallel_for(parallel, n, [&](std::size_t j) { offsets[j + 1] = count(int(j)); });
-  offsets[0] = 0;
+  });
   for(int j = 0; j < n; ++j)
-    offsets[j + 1] += offsets[j];
-  matrix.resizeNonZeros(offsets[n]);
-  parallel_for(parallel, n, [&](std::size_t j) { rows(int(j), matrix.innerIndexPtr() + offsets[j]); });
+    pattern.offsets[j + 1] += pattern.offsets[j];
+  pattern.items.resize(pattern.offsets[n]);
+  parallel_for(parallel, n, [&](std::size_t j) {
+    int* const first = pattern.items.data() + pattern.offsets[j];
+    int* last = first;
+    *last++ = int(j);
+    const int v = unknowns.vertex[j];
+    for(const int* w = rings.begin(v); w != rings.end(v); ++w)
+      if(is_in(unknowns.column[*w], int(j)))
+        *last++ = unknowns.column[*w];
+    std::sort(first, last);
+  });
+  return pattern;
+}
+
+// A square matrix with this pattern, its values still to be set.
+inline Sparse_matrix matrix_of(const Lists& pattern)
+{
+  Sparse_matrix matrix(pattern.size(), pattern.size());
+  matrix.resizeNonZeros(pattern.offsets.back());
+  std::copy(pattern.offsets.begin(), pattern.offsets.end(), matrix.outerIndexPtr());
+  std::copy(pattern.items.begin(), pattern.items.end(), matrix.innerIndexPtr());
   return matrix;
 }
 
