@@ -658,7 +658,7 @@ private:
   Error_code read_unit(const TriangleMesh& tm, const NamedParameters& np)
   {
     m_squared_length_unit = internal::parameter(np, CGAL::internal_np::area_normalization, true)
-                          ? internal::total_area(tm, vertex_points(tm, np), m_system.mesh.exponent)
+                          ? internal::total_area(tm, vertex_points(tm, np), m_system.mesh)
                           : 1 / (m_system.mesh.unit() * m_system.mesh.unit());
     return std::isfinite(m_squared_length_unit) ? OK : ERROR_INVALID_POINT;
   }

@@ -67,9 +67,10 @@ inline void normalize_extent(Mesh_arrays& mesh)
     p *= factor;
 }
 
-template <class TriangleMesh, class Vertex_to_int>
-Error_code read_faces(const TriangleMesh& tm, const Vertex_to_int& vertex_to_int, Mesh_elements<TriangleMesh>& elements,
-                      Mesh_arrays& mesh)
+// mark_border(v, w) is called for the edges at which a face has no neighbor.
+template <class TriangleMesh, class Vertex_to_int, class Mark_border>
+Error_code read_faces(const TriangleMesh& tm, const Vertex_to_int& vertex_to_int, const Mark_border& mark_border,
+                      Mesh_elements<TriangleMesh>& elements, Mesh_arrays& mesh)
 {
   mesh.triangles.reserve(elements.faces.size());
   for(auto f : elements.faces)
@@ -78,13 +79,19 @@ Error_code read_faces(const TriangleMesh& tm, const Vertex_to_int& vertex_to_int
     if(next(third, tm) != h || third == h || second == h)
       return ERROR_NON_TRIANGULAR_MESH;
     mesh.triangles.push_back({{vertex_to_int(target(third, tm)), vertex_to_int(target(h, tm)), vertex_to_int(target(second, tm))}});
+    const auto& t = mesh.triangles.back();
+    if(is_border(opposite(h, tm), tm))
+      mark_border(t[0], t[1]);
+    if(is_border(opposite(second, tm), tm))
+      mark_border(t[1], t[2]);
+    if(is_border(opposite(third, tm), tm))
+      mark_border(t[2], t[0]);
   }
   return OK;
 }
 
 template <class TriangleMesh, class VertexPointMap>
-Error_code read_points(const TriangleMesh& tm, VertexPointMap vpm, const Mesh_elements<TriangleMesh>& elements,
-                       Mesh_arrays& mesh)
+Error_code read_points(VertexPointMap vpm, const Mesh_elements<TriangleMesh>& elements, Mesh_arrays& mesh)
 {
   mesh.points.reserve(elements.vertices.size());
   for(auto v : elements.vertices)
@@ -93,9 +100,6 @@ Error_code read_points(const TriangleMesh& tm, VertexPointMap vpm, const Mesh_el
     if(!is_valid_point(mesh.points.back()))
       return ERROR_INVALID_POINT;
   }
-  mesh.is_on_border.assign(elements.vertices.size(), 0);
-  for(std::size_t v = 0; v < elements.vertices.size(); ++v)
-    mesh.is_on_border[v] = bool(CGAL::is_border(elements.vertices[v], tm));
   normalize_extent(mesh);
   mesh.index_corners();
   return OK;
@@ -122,9 +126,11 @@ Error_code read_mesh(const TriangleMesh& tm, VertexPointMap vpm, const NamedPara
     local[index] = int(v);
   }
   const auto vertex_to_int = [&](auto v) { return local[get(index_map, v)]; };
-  if(const Error_code code = read_faces(tm, vertex_to_int, elements, mesh))
+  mesh.is_on_border.assign(elements.vertices.size(), 0);
+  const auto mark_border = [&](int v, int w) { mesh.is_on_border[v] = mesh.is_on_border[w] = 1; };
+  if(const Error_code code = read_faces(tm, vertex_to_int, mark_border, elements, mesh))
     return code;
-  return read_points(tm, vpm, elements, mesh);
+  return read_points(vpm, elements, mesh);
 }
 
 // A region: the given faces and their vertices. `is_fixed` marks the vertices at which a face outside the region is.
@@ -146,34 +152,46 @@ Error_code read_region(const TriangleMesh& tm, const FaceRange& region, VertexPo
       elements.vertices.push_back(v);
     return found.first->second;
   };
-  if(const Error_code code = read_faces(tm, vertex_to_int, elements, mesh))
+  // the border may be among the faces outside of the region
+  if(const Error_code code = read_faces(tm, vertex_to_int, [](int, int) {}, elements, mesh))
     return code;
-  if(const Error_code code = read_points(tm, vpm, elements, mesh))
+  if(const Error_code code = read_points(vpm, elements, mesh))
     return code;
 
   is_fixed.assign(elements.vertices.size(), 0);
+  mesh.is_on_border.assign(elements.vertices.size(), 0);
   for(std::size_t v = 0; v < elements.vertices.size(); ++v)
   {
     int degree = 0;
     for(auto h : CGAL::halfedges_around_target(elements.vertices[v], tm))
-      degree += !is_border(h, tm);
+      if(is_border(h, tm))
+        mesh.is_on_border[v] = 1;
+      else
+        ++degree;
     is_fixed[v] = degree > mesh.corners.size(int(v));
   }
   return OK;
 }
 
-// The area of the embedded mesh, in units of the arrays of one of its regions.
+// The area of the whole mesh, in units of the arrays of it or of one of its regions.
 template <class TriangleMesh, class VertexPointMap>
-double total_area(const TriangleMesh& tm, VertexPointMap vpm, int exponent)
+double total_area(const TriangleMesh& tm, VertexPointMap vpm, const Mesh_arrays& mesh)
 {
-  const double factor = std::ldexp(1., -exponent);
+  const auto area = [](const Triangle_metric& metric) { return metric.with_area_bounded_below(degeneracy_ratio).area(); };
   double sum = 0;
+  if(mesh.triangles.size() == num_faces(tm)) // the arrays are read several times as fast as the mesh
+  {
+    for(int f = 0; f < mesh.number_of_triangles(); ++f)
+      sum += area(mesh.embedding_metric(f));
+    return sum;
+  }
+  const double factor = std::ldexp(1., -mesh.exponent);
   for(auto f : faces(tm))
   {
     const auto h = halfedge(f, tm);
     const Vec3 a = factor * to_vec3(get(vpm, source(h, tm))), b = factor * to_vec3(get(vpm, target(h, tm))),
                c = factor * to_vec3(get(vpm, target(next(h, tm), tm)));
-    sum += Triangle_metric::embedding(a, b, c).with_area_bounded_below(degeneracy_ratio).area();
+    sum += area(Triangle_metric::embedding(a, b, c));
   }
   return sum;
 }
