@@ -267,7 +267,7 @@ void benchmark_threads(const Mesh& mesh, int repetitions)
   run(CGAL::Parallel_if_available_tag(), "threads_parallel");
 }
 
-// Remeshing leaves a quarter to a fifth more vertices than a tiling by equilateral triangles of the target length has.
+// Remeshing leaves about a sixth more vertices than a tiling by equilateral triangles of the target length has.
 void make_scan(Mesh& mesh, double vertices)
 {
   const double length = std::sqrt(1.16 * PMP::area(mesh) / vertices * 2 / std::sqrt(3.));

@@ -21,13 +21,19 @@ namespace internal = CGAL::Gradient_domain_processing::internal;
 
 typedef std::vector<std::set<int> > Graph;
 
+std::vector<int> places(const std::vector<int>& order, std::size_t number_of_vertices)
+{
+  std::vector<int> place(number_of_vertices, -1);
+  for(std::size_t j = 0; j < order.size(); ++j)
+    place[order[j]] = int(j);
+  return place;
+}
+
 // Columns of the Cholesky factor below the diagonal, without cancellation: eliminating a vertex connects all its later neighbors.
 Graph eliminated(const Graph& graph, const std::vector<int>& order)
 {
   const int n = int(order.size());
-  std::vector<int> place(graph.size(), -1);
-  for(int j = 0; j < n; ++j)
-    place[order[j]] = j;
+  const std::vector<int> place = places(order, graph.size());
   Graph factor(n);
   for(int j = 0; j < n; ++j)
     for(int w : graph[order[j]])
@@ -49,9 +55,7 @@ std::size_t entries(const Graph& factor)
 
 std::vector<int> tree_of(const Graph& graph, const std::vector<int>& order)
 {
-  std::vector<int> place(graph.size(), -1);
-  for(std::size_t j = 0; j < order.size(); ++j)
-    place[order[j]] = int(j);
+  const std::vector<int> place = places(order, graph.size());
   return internal::elimination_tree(int(order.size()), [&](int j, const auto& visit) {
     for(int w : graph[order[j]])
       if(place[w] >= 0 && place[w] < j)
@@ -65,7 +69,7 @@ bool is_postorder(const std::vector<int>& parent)
   std::vector<int> size(parent.size(), 1);
   for(int j = 0; j < int(parent.size()); ++j)
   {
-    int first = j - size[j] + 1; // where the nodes below j have to begin
+    const int first = j - size[j] + 1; // where the nodes below j have to begin
     for(int k = first; k < j; ++k)
       if(parent[k] < 0 || parent[k] > j)
         return false;

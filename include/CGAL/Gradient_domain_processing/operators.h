@@ -55,7 +55,7 @@ Error_code read_operator_input(const TriangleMesh& tm, const NamedParameters& np
       input.metrics.given.push_back(metric.with_area_bounded_below(degeneracy_ratio));
     }
     else
-      input.metrics.given.push_back(input.mesh.embedding_metric(int(f)).with_area_bounded_below(degeneracy_ratio).scaled(squared_unit));
+      input.metrics.given.push_back(Face_metrics()(input.mesh, int(f)).scaled(squared_unit));
   }
 
   const auto vertex_index_map = CGAL::get_initialized_vertex_index_map(tm, np);

@@ -80,7 +80,9 @@ public:
       return ERROR_CANCELLED;
     Stage_scope stage(progress, Stage::ANALYZE);
 
-    order_unknowns();
+    const Lists rings = mesh.one_rings(parallel);
+    m_unknowns = order_unknowns(mesh.points, rings, [&](int v) { return !is_constrained[v] && mesh.corners.size(v) > 0; }, parallel);
+    m_pattern = sparsity_pattern(rings, m_unknowns, m_solver.reads_lower_triangle, parallel);
     const Error_code code = m_unknowns.size() > 0 ? m_solver.analyze(matrix_of(m_pattern)) : OK;
     m_is_analyzed = code == OK;
     return code;
@@ -163,13 +165,6 @@ public:
   }
 
 private:
-  void order_unknowns()
-  {
-    const Lists rings = mesh.one_rings(parallel);
-    m_unknowns = internal::order_unknowns(mesh.points, rings, [&](int v) { return !is_constrained[v] && mesh.corners.size(v) > 0; }, parallel);
-    m_pattern = sparsity_pattern(rings, m_unknowns, m_solver.reads_lower_triangle, parallel);
-  }
-
   // Components of very different size, or nearly degenerate triangles, may lose the positive definiteness to rounding. A shift
   // of the diagonal brings it back, and refinement takes the shift out of the solution.
   Error_code factorize_or_shift(Sparse_matrix& matrix)

@@ -147,6 +147,7 @@ class Linear_solver<Eigen_solver_traits<EigenSolver> >
 public:
   static constexpr bool reads_lower_triangle = Reads_lower_triangle<EigenSolver>::value;
   static constexpr bool is_iterative = std::is_base_of<Eigen::IterativeSolverBase<EigenSolver>, EigenSolver>::value;
+  static constexpr bool is_cholesky = reads_lower_triangle && !is_iterative; // of ours, which need no more than their factor
 
   explicit Linear_solver(const Eigen_solver_traits<EigenSolver>& traits) : m_traits(traits) {}
 
@@ -166,7 +167,7 @@ public:
   Error_code factorize(const Eigen::SparseMatrix<double>& matrix)
   {
     return guarded([&] {
-      if constexpr (reads_lower_triangle && !is_iterative) // the Cholesky factorizations, which need no more than the factor
+      if constexpr (is_cholesky)
       {
         m_traits.solver().factorize(matrix);
         release_workspace(m_traits.solver());
@@ -187,7 +188,7 @@ public:
   Error_code solve(const Eigen::MatrixXd& right, Eigen::MatrixXd& solution)
   {
     const Error_code code = guarded([&] {
-      if(&right == &solution && (is_iterative || !reads_lower_triangle))
+      if(&right == &solution && !is_cholesky)
         solution = m_traits.solver().solve(Eigen::MatrixXd(right)).eval();
       else
         solution = m_traits.solver().solve(right);

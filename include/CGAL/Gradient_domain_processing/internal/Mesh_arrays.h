@@ -66,7 +66,7 @@ struct Mesh_arrays
   {
     double sum = 0;
     for(int f = 0; f < number_of_triangles(); ++f)
-      sum += embedding_metric(f).area();
+      sum += embedding_metric(f).with_area_bounded_below(degeneracy_ratio).area();
     return sum;
   }
 

@@ -177,21 +177,16 @@ Error_code read_region(const TriangleMesh& tm, const FaceRange& region, VertexPo
 template <class TriangleMesh, class VertexPointMap>
 double total_area(const TriangleMesh& tm, VertexPointMap vpm, const Mesh_arrays& mesh)
 {
-  const auto area = [](const Triangle_metric& metric) { return metric.with_area_bounded_below(degeneracy_ratio).area(); };
-  double sum = 0;
   if(mesh.triangles.size() == num_faces(tm)) // the arrays are read several times as fast as the mesh
-  {
-    for(int f = 0; f < mesh.number_of_triangles(); ++f)
-      sum += area(mesh.embedding_metric(f));
-    return sum;
-  }
+    return mesh.area();
   const double factor = std::ldexp(1., -mesh.exponent);
+  double sum = 0;
   for(auto f : faces(tm))
   {
     const auto h = halfedge(f, tm);
     const Vec3 a = factor * to_vec3(get(vpm, source(h, tm))), b = factor * to_vec3(get(vpm, target(h, tm))),
                c = factor * to_vec3(get(vpm, target(next(h, tm), tm)));
-    sum += area(Triangle_metric::embedding(a, b, c));
+    sum += Triangle_metric::embedding(a, b, c).with_area_bounded_below(degeneracy_ratio).area();
   }
   return sum;
 }
