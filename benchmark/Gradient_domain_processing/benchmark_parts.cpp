@@ -117,10 +117,11 @@ void benchmark_solver(const Mesh& mesh, int repetitions)
       medians[t.first] = median(t.second);
     print(name, mesh, medians);
   };
-  run("solver_default", [] { return GDP::Default_sparse_linear_solver(); });
-  run("solver_eigen", [] { return Eigen_solver(); });
 #ifdef BENCHMARK_WITH_MKL
   run("solver_mkl", [] { return CGAL::Eigen_solver_traits<Eigen::PardisoLLT<Eigen::SparseMatrix<double>, Eigen::Lower> >(); });
+#else
+  run("solver_default", [] { return GDP::Default_sparse_linear_solver(); });
+  run("solver_eigen", [] { return Eigen_solver(); });
 #endif
 }
 

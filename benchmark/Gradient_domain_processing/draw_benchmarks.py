@@ -169,7 +169,7 @@ def main():
                      + comparison(report["isotropic"])
                      + "\nThe whole process, edge-aware, seconds / MB (times slower than this package with normals, with jets):\n\n"
                      + comparison(report["edge_aware"])
-                     + "\nThe stages of `smooth()`, seconds. Overhead is all but ordering, factorization and solution, relative to the latter two:\n\n"
+                     + "\nThe stages of `smooth()`, seconds. Overhead is all but ordering, factorization and solution (so the right-hand side counts), relative to the latter two:\n\n"
                      + stages_table(report) + "\nParts, seconds:\n\n" + parts_table(report)
                      + "\nGrowth, whole process:\n\n" + growth_table(report))
 

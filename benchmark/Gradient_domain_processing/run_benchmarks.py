@@ -108,9 +108,12 @@ def main():
         report["isotropic"] += compare(size, path, isotropic, options.repetitions, options.data)
         report["edge_aware"] += compare(size, path, edge_aware, options.repetitions, options.data)
         if options.parts:
-            for part in ("solver", "assembly", "curvature", "reuse", "region", "threads"):
-                lines = subprocess.run([find(options.build, "benchmark_parts"), part, path, str(options.repetitions)],
-                                       capture_output=True, text=True, check=True).stdout
+            parts = [find(options.build, "benchmark_parts")]
+            commands = [parts + [part] for part in ("solver", "assembly", "curvature", "reuse", "region", "threads")]
+            if os.path.exists(parts[0] + "_mkl"):
+                commands.insert(1, [parts[0] + "_mkl", "solver"])
+            for command in commands:
+                lines = subprocess.run(command + [path, str(options.repetitions)], capture_output=True, text=True, check=True).stdout
                 report["parts"] += [json.loads(line) for line in lines.splitlines()]
                 print(lines, end="", flush=True)
     if options.growth:

@@ -10,6 +10,7 @@
 #include "test_meshes.h"
 #include "test_utils.h"
 
+#include <CGAL/Gradient_domain_processing/process_face_signal.h>
 #include <CGAL/Gradient_domain_processing/process_signal.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -140,10 +141,37 @@ void check_threads()
 }
 #endif
 
+#ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD
+// What the caller has set of CHOLMOD stays as it is; what not, is set for the graphs at hand.
+void check_settings()
+{
+  typedef CGAL::Eigen_solver_traits<Eigen::CholmodSupernodalLLT<Sparse> > Solver;
+  Fixture fixture;
+  const auto signal = fixture.tm.add_property_map<Mesh::Face_index, double>("f:signal", 1).first;
+  for(std::size_t columns : {std::size_t(4), std::size_t(5)})
+  {
+    Solver vertices, faces; // copies share them
+    vertices.solver().cholmod().nrelax[0] = faces.solver().cholmod().nrelax[0] = columns;
+    GDP_CHECK(fixture.run(GDP::parameters::sparse_linear_solver(vertices)) == GDP::OK);
+    GDP_CHECK(vertices.solver().cholmod().nrelax[0] == columns);
+    GDP_CHECK(GDP::process_face_signal(fixture.tm, signal, signal, GDP::parameters::sparse_linear_solver(faces)) == GDP::OK);
+    GDP_CHECK((faces.solver().cholmod().nrelax[0] == columns) == (columns == 5));
+  }
+  Solver solver;
+  solver.solver().cholmod().nmethods = 1;
+  solver.solver().cholmod().method[0].ordering = CHOLMOD_AMD;
+  GDP_CHECK(fixture.run(GDP::parameters::sparse_linear_solver(solver)) == GDP::OK);
+  GDP_CHECK(solver.solver().cholmod().method[0].ordering == CHOLMOD_AMD && solver.solver().cholmod().postorder != 0);
+}
+#endif
+
 } // namespace
 
 int main()
 {
+#ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD
+  check_settings();
+#endif
 #if defined(CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD) && defined(__unix__)
   check_threads();
 #endif

@@ -24,13 +24,13 @@ public:
   /// from 0 to 1. Where this returns `false`, the computation stops with `ERROR_CANCELLED`; mesh and outputs are as they were.
   bool go_on(double done);
 
-  /// is called before a function returns an error that a vertex is to blame for, with the first such vertex in the order of `vertices(tm)`
-  /// (of the faces, for a region): its point, value, weight, normal or curvature is invalid, or its result is out of range.
+  /// is called before a function returns an error that a vertex is to blame for, with one such vertex:
+  /// its point, value, weight, normal or curvature is invalid, or its result is out of range.
   template <class vertex_descriptor>
   void invalid_vertex(CGAL::Gradient_domain_processing::Error_code code, vertex_descriptor v);
 
-  /// is called before a function returns an error that a face is to blame for, with the first such face: it is not a triangle, or its
-  /// weight, metric, value or target is invalid. A weight of an interior edge counts for the first of its faces.
+  /// is called before a function returns an error that a face is to blame for, with one such face: it is not a triangle, or its
+  /// weight, metric, value or target is invalid. A weight of an interior edge counts for one of its faces.
   template <class face_descriptor>
   void invalid_face(CGAL::Gradient_domain_processing::Error_code code, face_descriptor f);
 };

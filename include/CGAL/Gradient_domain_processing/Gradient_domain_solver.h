@@ -201,7 +201,7 @@ public:
     , m_progress(internal::make_progress<TriangleMesh>(np))
   {
     initialize(tm, np, [&](std::vector<char>& is_fixed) {
-      const Error_code code = internal::read_mesh(tm, vertex_points(tm, np), np, m_elements, m_system.mesh);
+      const Error_code code = internal::read_mesh(tm, vertex_points(tm, np), np, m_system.parallel, m_elements, m_system.mesh);
       is_fixed.assign(m_elements.vertices.size(), 0);
       return code;
     });
@@ -391,8 +391,8 @@ public:
     const internal::Mesh_arrays& mesh = m_system.mesh;
     const int channels = int(signal.cols());
 
-    // the target integrated along the first and the last edge of every triangle
-    internal::Signal along(2 * mesh.number_of_triangles(), channels);
+    // the target integrated along the edges from the first corner of every triangle to all three
+    internal::Signal along = internal::Signal::Zero(3 * mesh.number_of_triangles(), channels);
     for(int f = 0; f < mesh.number_of_triangles(); ++f)
     {
       const auto& t = mesh.triangles[f];
@@ -403,18 +403,17 @@ public:
         if(channel == channels)
           break;
         const Vec3 v = mesh.unit() * internal::to_vec3(vector);
-        along(2 * f, channel) = v.dot(mesh.points[t[1]] - mesh.points[t[0]]);
-        along(2 * f + 1, channel) = v.dot(mesh.points[t[2]] - mesh.points[t[0]]);
+        for(int i = 1; i < 3; ++i)
+          along(3 * f + i, channel) = v.dot(mesh.points[t[i]] - mesh.points[t[0]]);
         ++channel;
       }
-      if(channel < channels || !along.middleRows(2 * f, 2).allFinite())
+      if(channel < channels || !along.middleRows(3 * f, 3).allFinite())
         return invalid_face(ERROR_INVALID_TARGET, std::size_t(f));
     }
 
-    const auto target_at = [&](int f, int corner, int channel) { return corner == 0 ? 0. : along(2 * f + corner - 1, channel); };
-    const auto excess = [&](int f, int i, int j, int channel) {
+    const auto excess = [&](int f, int i, int j) {
       const auto& t = mesh.triangles[f];
-      return (target_at(f, j, channel) - target_at(f, i, channel)) - (signal(t[j], channel) - signal(t[i], channel));
+      return (along.row(3 * f + j) - along.row(3 * f + i)) - (signal.row(t[j]) - signal.row(t[i]));
     };
     internal::Signal change;
     if(const Error_code code = solve(excess, channels, change))
@@ -476,9 +475,8 @@ public:
   Error_code filter_points()
   {
     std::vector<Vec3>& points = m_system.mesh.points;
-    const auto coordinate = [&](int v, int i) { return points[v][i]; };
     internal::Signal change;
-    if(const Error_code code = solve(m_system.excess_of_filter(coordinate), 3, change))
+    if(const Error_code code = solve(m_system.excess_of_filter(points), 3, change))
       return code;
     for(std::size_t v = 0; v < points.size(); ++v)
       points[v] += change.row(v).transpose();
@@ -658,7 +656,7 @@ private:
   Error_code read_unit(const TriangleMesh& tm, const NamedParameters& np)
   {
     m_squared_length_unit = internal::parameter(np, CGAL::internal_np::area_normalization, true)
-                          ? internal::total_area(tm, vertex_points(tm, np), m_system.mesh)
+                          ? internal::total_area(tm, vertex_points(tm, np), m_system.mesh, m_system.parallel)
                           : 1 / (m_system.mesh.unit() * m_system.mesh.unit());
     return std::isfinite(m_squared_length_unit) ? OK : ERROR_INVALID_POINT;
   }

@@ -73,6 +73,7 @@ class Denoiser
   FaceSystem& m_face_system;
   Denoising_options m_options;
   Mesh_arrays& m_mesh;
+  bool m_parallel;
   Signal m_input;
   std::vector<Vec3> m_face_normals;
   std::vector<char> m_is_near_border; // by face
@@ -81,16 +82,15 @@ class Denoiser
 public:
   Denoiser(Solver& solver, FaceSystem& face_system, const Denoising_options& options)
     : m_solver(solver), m_face_system(face_system), m_options(options), m_mesh(solver.system().mesh)
-    , m_input(as_signal(m_mesh.points))
+    , m_parallel(solver.system().parallel), m_input(as_signal(m_mesh.points))
   {}
 
   Error_code operator()()
   {
-    auto& system = m_solver.system();
-    if(const Error_code code = m_face_system.analyze(m_mesh, system.parallel, m_solver.progress()))
+    if(const Error_code code = m_face_system.analyze(m_mesh, m_parallel, m_solver.progress()))
       return code;
-    const Lists rings = m_mesh.one_rings(system.parallel);
-    Noise_estimate noise = estimate_noise(m_mesh, Face_geometry(m_mesh), m_face_system.edges(), rings);
+    const Lists rings = m_mesh.one_rings(m_parallel);
+    Noise_estimate noise = estimate_noise(m_mesh, Face_geometry(m_mesh, m_parallel), m_face_system.edges(), rings, m_parallel);
     if(m_options.noise_level >= 0)
     {
       noise.level = m_options.noise_level;
@@ -111,9 +111,9 @@ public:
       for(int i = 0; i < m_options.position_updates; ++i)
         if(const Error_code code = fit_positions())
           return code;
-      const Face_geometry faces(m_mesh);
+      const Face_geometry faces(m_mesh, m_parallel);
       const Normal_variation last = variation;
-      variation = Normal_variation(faces, m_face_system.edges());
+      variation = Normal_variation(faces, m_face_system.edges(), m_parallel);
       if(m_options.passes < 0 && !variation.is_of_folded_surface())
       {
         if(removes_detail(noise, rings, faces))
@@ -171,17 +171,23 @@ private:
 
   double mean_edge_length() const
   {
-    double sum = 0;
-    for(const auto& t : m_mesh.triangles)
-      for(int i = 0; i < 3; ++i)
-        sum += (m_mesh.points[t[i]] - m_mesh.points[t[(i + 1) % 3]]).norm();
-    return sum / (3. * double(m_mesh.triangles.size()));
+    const std::size_t n = m_mesh.triangles.size();
+    return sum_over_blocks(m_parallel, n, 4096, 0., [&](std::size_t begin, std::size_t end) {
+      double sum = 0;
+      for(std::size_t f = begin; f < end; ++f)
+      {
+        const auto& t = m_mesh.triangles[f];
+        for(int i = 0; i < 3; ++i)
+          sum += (m_mesh.points[t[i]] - m_mesh.points[t[(i + 1) % 3]]).norm();
+      }
+      return sum;
+    }) / (3. * double(n));
   }
 
   // g = normalize((A + beta L)^-1 A n), with weights l / (1 + |g_a - g_b|^2 / sigma^2)^2 (Geman and McClure) from the last g.
   Error_code filter_normals(const Noise_estimate& noise, int pass)
   {
-    const Face_geometry faces(m_mesh);
+    const Face_geometry faces(m_mesh, m_parallel);
     const double sigma = (std::min)(m_options.similarity_max, (std::max)(m_options.similarity_min,
                            m_options.similarity * noise.level * std::pow(m_options.similarity_decay, pass)));
     const double beta = mean_edge_length() * (std::min)(m_options.smoothing_weight_max,
@@ -192,14 +198,13 @@ private:
     const auto& edges = m_face_system.edges();
 
     Signal right(faces.normals.size(), 3), solution;
-    for(std::size_t f = 0; f < faces.normals.size(); ++f)
-      right.row(f) = faces.areas[f] * faces.normals[f].transpose();
+    parallel_for(m_parallel, faces.normals.size(), [&](std::size_t f) { right.row(f) = faces.areas[f] * faces.normals[f].transpose(); });
 
     m_face_normals = faces.normals;
     std::vector<double> weights(edges.size());
     for(int i = 0; i < m_options.normal_updates; ++i)
     {
-      parallel_for(m_solver.system().parallel, edges.size(), [&](std::size_t e) {
+      parallel_for(m_parallel, edges.size(), [&](std::size_t e) {
         const Interior_edge& edge = edges[e];
         const double q = 1 + (m_face_normals[edge.first] - m_face_normals[edge.second]).squaredNorm() / (sigma * sigma);
         weights[e] = beta * (m_mesh.points[edge.from] - m_mesh.points[edge.to]).norm() / (q * q);
@@ -210,12 +215,11 @@ private:
         return code;
       if(const Error_code code = m_face_system.solve(right, solution, m_solver.progress()))
         return code;
-      for(std::size_t f = 0; f < m_face_normals.size(); ++f)
-      {
+      parallel_for(m_parallel, m_face_normals.size(), [&](std::size_t f) {
         const double length = solution.row(f).norm();
         if(length > 0 && !(border_is_held && m_is_near_border[f]))
           m_face_normals[f] = solution.row(f).transpose() / length;
-      }
+      });
     }
     return OK;
   }
@@ -223,26 +227,26 @@ private:
   // The values are those of the noisy input, the target gradients the tangential part of the current ones.
   Error_code fit_positions()
   {
-    const auto excess = [&](int f, int i, int j, int channel) {
+    const auto excess = [&](int f, int i, int j) -> Vec3 {
       const auto& t = m_mesh.triangles[f];
       const Vec3 edge = m_mesh.points[t[j]] - m_mesh.points[t[i]];
       const Vec3& n = m_face_normals[f];
-      return edge[channel] - n.dot(edge) * n[channel] - (m_input(t[j], channel) - m_input(t[i], channel));
+      return edge - n.dot(edge) * n - (m_input.row(t[j]) - m_input.row(t[i])).transpose();
     };
     Signal change;
     if(const Error_code code = m_solver.solve(excess, 3, change))
       return code;
-    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
-      if(m_is_held[v])
-        change.row(v).setZero();
-    m_solver.set_points(m_input + change);
+    parallel_for(m_parallel, m_mesh.points.size(), [&](std::size_t v) {
+      if(!m_is_held[v])
+        m_mesh.points[v] = (m_input.row(v) + change.row(v)).transpose();
+    });
     return OK;
   }
 
   // What was taken away should look like noise: uncorrelated from vertex to vertex.
   bool removes_detail(const Noise_estimate& noise, const Lists& rings, const Face_geometry& faces) const
   {
-    const std::vector<Vec3> normals = vertex_normals(m_mesh, faces.areas, m_face_normals);
+    const std::vector<Vec3> normals = vertex_normals(m_mesh, faces.areas, m_face_normals, m_parallel);
     std::vector<double> removed(m_mesh.points.size());
     for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
       removed[v] = (m_input.row(v).transpose() - m_mesh.points[v]).dot(normals[v]);

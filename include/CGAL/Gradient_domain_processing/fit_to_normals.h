@@ -38,11 +38,11 @@ Error_code fit_to_normals(Solver solver, TriangleMesh& tm, VertexNormalMap norma
 
     // edges shall be orthogonal to the normals at their ends: what of them is not, is too much
     const Mesh_arrays& mesh = solver.system().mesh;
-    const auto excess = [&](int f, int i, int j, int channel) {
+    const auto excess = [&](int f, int i, int j) -> Vec3 {
       const int v = mesh.triangles[f][i], w = mesh.triangles[f][j];
       const Vec3 n = (normals.row(v) + normals.row(w)).transpose();
       const double squared_length = n.squaredNorm();
-      return squared_length > 0 ? -n.dot(mesh.points[w] - mesh.points[v]) / squared_length * n[channel] : 0.;
+      return (squared_length > 0 ? -n.dot(mesh.points[w] - mesh.points[v]) / squared_length : 0.) * n;
     };
     Signal change;
     if(const Error_code code = solver.solve(excess, 3, change))

@@ -40,7 +40,8 @@ Error_code read_operator_input(const TriangleMesh& tm, const NamedParameters& np
   using namespace CGAL::internal_np;
   Mesh_elements<TriangleMesh> elements;
   const auto vpm = parameter(np, CGAL::internal_np::vertex_point, get_const_property_map(CGAL::vertex_point, tm));
-  if(const Error_code code = read_mesh(tm, vpm, np, elements, input.mesh))
+  const bool parallel = is_parallel<Parameter_type<concurrency_tag_t, NamedParameters, Parallel_if_available_tag> >();
+  if(const Error_code code = read_mesh(tm, vpm, np, parallel, elements, input.mesh))
     return code;
 
   const double squared_unit = input.mesh.unit() * input.mesh.unit();

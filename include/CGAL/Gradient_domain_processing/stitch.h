@@ -97,22 +97,24 @@ Error_code stitch(Solver solver, VertexPatchMap patch_map, InMap in, OutMap out,
 
   // On a seam the part of the gradient along the edge inside a patch is kept; a triangle between three patches has none.
   const std::vector<char> is_seam = find_seams(mesh, patch, signal);
-  const auto excess = [&](int f, int i, int j, int channel) {
-    if(!is_seam[f])
-      return 0.;
+  const auto excess = [&](int f, int i, int j) {
     const auto& t = mesh.triangles[f];
-    double target = 0;
+    int from = t[0], to = t[0]; // the edge inside a patch
+    double part = 0;            // of it that goes along the edge asked for
     for(int k = 0; k < 3; ++k)
     {
       const int a = t[k], b = t[(k + 1) % 3];
-      if(patch[a] != patch[b])
-        continue;
       const Vec3 edge = mesh.points[b] - mesh.points[a];
       const double squared_length = edge.squaredNorm();
-      if(squared_length > 0)
-        target = (signal(b, channel) - signal(a, channel)) * edge.dot(mesh.points[t[j]] - mesh.points[t[i]]) / squared_length;
+      if(is_seam[f] && patch[a] == patch[b] && squared_length > 0)
+      {
+        from = a;
+        to = b;
+        part = edge.dot(mesh.points[t[j]] - mesh.points[t[i]]) / squared_length;
+      }
     }
-    return target - (signal(t[j], channel) - signal(t[i], channel));
+    const int end = is_seam[f] ? t[j] : t[i]; // elsewhere nothing exceeds
+    return part * (signal.row(to) - signal.row(from)) - (signal.row(end) - signal.row(t[i]));
   };
   Signal change;
   if(const Error_code code = solver.solve(excess, int(signal.cols()), change))

@@ -29,9 +29,9 @@ enum class Stage
   CURVATURE, ///< Estimating curvatures. The presmoothing before it has its own stages from `ANALYZE` to `SOLVE`.
   METRIC,    ///< Building the metric of every face.
   ANALYZE,   ///< Ordering the unknowns, sparsity pattern and symbolic factorization.
-  ASSEMBLE,  ///< Filling the matrix.
+  ASSEMBLE,  ///< Filling the matrix; making a right-hand side.
   FACTOR,    ///< Numeric factorization.
-  SOLVE,     ///< Right-hand side and solution.
+  SOLVE,     ///< Solution for a right-hand side.
   WRITE      ///< Writing the output.
 };
 
@@ -72,10 +72,10 @@ struct Default_visitor
   /// is called at the beginning of every stage, and regularly within long ones, with the part in [0,1] of the current
   /// stage that is done. The computation stops with `ERROR_CANCELLED` where this returns `false`.
   bool go_on(double) { return true; }
-  /// is called before an error is returned that one vertex is to blame for, with the first such vertex.
+  /// is called before an error is returned that a vertex is to blame for, with one such vertex.
   template <class vertex_descriptor>
   void invalid_vertex(Error_code, vertex_descriptor) {}
-  /// is called before an error is returned that one face is to blame for, with the first such face.
+  /// is called before an error is returned that a face is to blame for, with one such face.
   template <class face_descriptor>
   void invalid_face(Error_code, face_descriptor) {}
 };

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -26,35 +27,34 @@ struct Face_geometry
   std::vector<Vec3> normals;
   std::vector<double> areas;
 
-  explicit Face_geometry(const Mesh_arrays& mesh)
+  Face_geometry(const Mesh_arrays& mesh, bool parallel)
     : normals(mesh.triangles.size()), areas(mesh.triangles.size())
   {
-    double sum = 0;
-    for(std::size_t f = 0; f < normals.size(); ++f)
-    {
+    parallel_for(parallel, normals.size(), [&](std::size_t f) {
       const auto& t = mesh.triangles[f];
       const Vec3 n = (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]);
       const double length = n.norm();
       normals[f] = length > 0 ? Vec3(n / length) : Vec3(0, 0, 0);
-      sum += areas[f] = length / 2;
-    }
+      areas[f] = length / 2;
+    });
+    const double sum = std::accumulate(areas.begin(), areas.end(), 0.);
     const double least = sum > 0 ? 1e-6 * sum / double(areas.size()) : 1.;
     for(double& a : areas)
       a = (std::max)(a, least);
   }
 };
 
-inline std::vector<Vec3> vertex_normals(const Mesh_arrays& mesh, const std::vector<double>& areas, const std::vector<Vec3>& normals)
+inline std::vector<Vec3> vertex_normals(const Mesh_arrays& mesh, const std::vector<double>& areas, const std::vector<Vec3>& normals,
+                                        bool parallel)
 {
   std::vector<Vec3> result(mesh.points.size());
-  for(int v = 0; v < mesh.number_of_vertices(); ++v)
-  {
+  parallel_for(parallel, result.size(), [&](std::size_t v) {
     Vec3 sum(0, 0, 0);
-    for(const int* c = mesh.corners.begin(v); c != mesh.corners.end(v); ++c)
+    for(const int* c = mesh.corners.begin(int(v)); c != mesh.corners.end(int(v)); ++c)
       sum += areas[*c / 3] * normals[*c / 3];
     const double length = sum.norm();
     result[v] = length > 0 ? Vec3(sum / length) : Vec3(0, 0, 0);
-  }
+  });
   return result;
 }
 
@@ -79,15 +79,14 @@ struct Normal_variation
 
   Normal_variation() {}
 
-  Normal_variation(const Face_geometry& faces, const std::vector<Interior_edge>& edges)
+  Normal_variation(const Face_geometry& faces, const std::vector<Interior_edge>& edges, bool parallel)
   {
-    std::vector<double> differences;
-    differences.reserve(edges.size());
-    for(const Interior_edge& e : edges)
-    {
-      differences.push_back((faces.normals[e.first] - faces.normals[e.second]).norm());
-      root_mean_square += differences.back() * differences.back() / double(edges.size());
-    }
+    std::vector<double> differences(edges.size());
+    parallel_for(parallel, edges.size(), [&](std::size_t e) {
+      differences[e] = (faces.normals[edges[e].first] - faces.normals[edges[e].second]).norm();
+    });
+    for(double d : differences)
+      root_mean_square += d * d / double(edges.size());
     root_mean_square = std::sqrt(root_mean_square);
     median = internal::median(std::move(differences));
   }

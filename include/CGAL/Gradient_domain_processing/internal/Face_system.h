@@ -10,6 +10,7 @@
 #include <CGAL/Gradient_domain_processing/internal/Gradient_domain_system.h>
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -21,6 +22,8 @@ struct Interior_edge
 {
   int first, second; // triangles
   int from, to;      // vertices
+
+  int other(int triangle) const { return first + second - triangle; }
 };
 
 inline std::vector<Interior_edge> interior_edges(const Mesh_arrays& mesh)
@@ -46,6 +49,7 @@ template <class SparseLinearSolver>
 class Face_system
 {
   std::vector<Interior_edge> m_edges;
+  Lists m_edges_of_face;
   Unknowns m_unknowns;
   Sparse_matrix m_matrix;
   Linear_solver<SparseLinearSolver> m_solver;
@@ -65,15 +69,16 @@ public:
     m_edges = interior_edges(mesh);
 
     const int n = mesh.number_of_triangles();
-    const Lists neighbors = dual_neighbors(n);
+    index_edges(n);
+    const Lists neighbors = dual_neighbors();
     std::vector<Vec3> centers(n);
-    for(int f = 0; f < n; ++f)
-    {
+    parallel_for(parallel, n, [&](std::size_t f) {
       const auto& t = mesh.triangles[f];
       centers[f] = (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3;
-    }
+    });
     m_unknowns = order_unknowns(centers, neighbors, [](int) { return true; }, parallel);
     m_matrix = matrix_of(sparsity_pattern(neighbors, m_unknowns, m_solver.reads_lower_triangle, parallel));
+    m_solver.merge_small_fronts();
     return m_solver.analyze(m_matrix);
   }
 
@@ -84,18 +89,7 @@ public:
       return ERROR_CANCELLED;
     {
       Stage_scope stage(progress, Stage::ASSEMBLE);
-      std::fill(m_matrix.valuePtr(), m_matrix.valuePtr() + m_matrix.nonZeros(), 0.);
-      for(std::size_t f = 0; f < masses.size(); ++f)
-        add(m_unknowns.column[f], m_unknowns.column[f], masses[f]);
-      for(std::size_t e = 0; e < m_edges.size(); ++e)
-      {
-        const int i = m_unknowns.column[m_edges[e].first], j = m_unknowns.column[m_edges[e].second];
-        add(i, i, weights[e]);
-        add(j, j, weights[e]);
-        add((std::max)(i, j), (std::min)(i, j), -weights[e]);
-        if(!m_solver.reads_lower_triangle)
-          add((std::min)(i, j), (std::max)(i, j), -weights[e]);
-      }
+      assemble(masses, weights);
     }
     Stage_scope stage(progress, Stage::FACTOR);
     return m_solver.factorize(m_matrix);
@@ -107,48 +101,69 @@ public:
     if(!progress.go_on(0))
       return ERROR_CANCELLED;
     Stage_scope stage(progress, Stage::SOLVE);
-    Eigen::MatrixXd b(right.rows(), right.cols()), x;
-    for(Eigen::Index k = 0; k < b.rows(); ++k)
-      b.row(k) = right.row(m_unknowns.vertex[k]);
-    if(const Error_code code = m_solver.solve(b, x))
+    Eigen::MatrixXd values(right.rows(), right.cols());
+    for_each_unknown(m_parallel, m_unknowns, [&](int f, int row) { values.row(row) = right.row(f); });
+    if(const Error_code code = m_solver.solve(values, values))
       return code;
-    solution.resize(x.rows(), x.cols());
-    for(Eigen::Index k = 0; k < x.rows(); ++k)
-      solution.row(m_unknowns.vertex[k]) = x.row(k);
+    solution.resize(values.rows(), values.cols());
+    for_each_unknown(m_parallel, m_unknowns, [&](int f, int row) { solution.row(f) = values.row(row); });
     return solution.allFinite() ? OK : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
   }
 
 private:
-  Lists dual_neighbors(int n) const
+  void index_edges(int n)
   {
-    std::vector<std::array<int, 3> > found(n);
-    std::vector<char> count(n, 0);
-    const auto insert = [&](int f, int g) {
-      const auto last = found[f].begin() + count[f];
-      if(std::find(found[f].begin(), last, g) == last)
-        found[f][count[f]++] = g;
-    };
+    std::vector<int>& offsets = m_edges_of_face.offsets;
+    offsets.assign(n + 1, 0);
     for(const Interior_edge& e : m_edges)
-    {
-      insert(e.first, e.second);
-      insert(e.second, e.first);
-    }
-    Lists lists;
-    lists.offsets.push_back(0);
-    for(int f = 0; f < n; ++f)
-    {
-      lists.items.insert(lists.items.end(), found[f].begin(), found[f].begin() + count[f]);
-      lists.offsets.push_back(int(lists.items.size()));
-    }
-    return lists;
+      for(int f : {e.first, e.second})
+        ++offsets[f + 1];
+    std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+    m_edges_of_face.items.resize(offsets[n]);
+    std::vector<int> next(offsets.begin(), offsets.end() - 1);
+    for(std::size_t e = 0; e < m_edges.size(); ++e)
+      for(int f : {m_edges[e].first, m_edges[e].second})
+        m_edges_of_face.items[next[f]++] = int(e);
   }
 
-  void add(int row, int column, double value)
+  // Each once, however many edges two triangles share.
+  Lists dual_neighbors() const
   {
-    const int* rows = m_matrix.innerIndexPtr();
-    for(int at = m_matrix.outerIndexPtr()[column]; at < m_matrix.outerIndexPtr()[column + 1]; ++at)
-      if(rows[at] == row)
-        m_matrix.valuePtr()[at] += value;
+    Lists neighbors;
+    neighbors.offsets.push_back(0);
+    for(int f = 0; f < m_edges_of_face.size(); ++f)
+    {
+      for(const int* e = m_edges_of_face.begin(f); e != m_edges_of_face.end(f); ++e)
+      {
+        const int g = m_edges[*e].other(f);
+        if(std::find(neighbors.items.begin() + neighbors.offsets[f], neighbors.items.end(), g) == neighbors.items.end())
+          neighbors.items.push_back(g);
+      }
+      neighbors.offsets.push_back(int(neighbors.items.size()));
+    }
+    return neighbors;
+  }
+
+  void assemble(const std::vector<double>& masses, const std::vector<double>& weights)
+  {
+    const int* const offsets = m_matrix.outerIndexPtr();
+    const int* const rows = m_matrix.innerIndexPtr();
+    double* const values = m_matrix.valuePtr();
+    for_each_unknown(m_parallel, m_unknowns, [&](int f, int column) {
+      const int first = offsets[column], last = offsets[column + 1];
+      std::fill(values + first, values + last, 0.);
+      const auto add = [&](int row, double value) {
+        const int* const at = std::find(rows + first, rows + last, row);
+        if(at != rows + last) // the rest is in the upper triangle
+          values[at - rows] += value;
+      };
+      add(column, masses[f]);
+      for(const int* e = m_edges_of_face.begin(f); e != m_edges_of_face.end(f); ++e)
+      {
+        add(column, weights[*e]);
+        add(m_unknowns.column[m_edges[*e].other(f)], -weights[*e]);
+      }
+    });
   }
 };
 

@@ -137,31 +137,41 @@ public:
 
     if(!progress.go_on(0))
       return ERROR_CANCELLED;
-    Stage_scope stage(progress, Stage::SOLVE);
     Eigen::MatrixXd residual(m_unknowns.size(), channels);
-    gradient_residual(mesh, m_metrics, m_weights, m_unknowns, excess, parallel, residual);
-    if(displaces_constraints)
-      move_to_right_hand_side(mesh, m_metrics, m_weights, m_unknowns, displacement, parallel, residual);
-
+    {
+      Stage_scope stage(progress, Stage::ASSEMBLE);
+      gradient_residual(mesh, m_metrics, m_weights, m_unknowns, excess, parallel, residual);
+      if(displaces_constraints)
+        move_to_right_hand_side(mesh, m_metrics, m_weights, m_unknowns, displacement, parallel, residual);
+    }
+    Stage_scope stage(progress, Stage::SOLVE);
     if(const Error_code code = solve_refined(residual))
       return code;
     clear_displacement(); // not before: memory is scarcest in the solver
-    parallel_for(parallel, m_unknowns.size(), [&](std::size_t row) {
-      displacement.row(m_unknowns.vertex[row]) = residual.row(row);
-    });
+    for_each_unknown(parallel, m_unknowns, [&](int v, int row) { displacement.row(v) = residual.row(row); });
     if(m_values_weigh_little)
       center(displacement);
     return displacement.allFinite() ? OK : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
   }
 
-  // v = lambda grad f. The signal is a function of vertex and channel.
+  // v = lambda grad f. The values of the vertices are vectors, by channel.
   template <class Values>
-  auto excess_of_filter(const Values& signal) const
+  auto excess_of_filter(const Values& values) const
   {
-    return [this, &signal](int f, int i, int j, int channel) {
+    return [this, values](int f, int i, int j) {
       const auto& t = mesh.triangles[f];
-      return (m_weights.scale_at(f) - 1) * (signal(t[j], channel) - signal(t[i], channel));
+      return (m_weights.scale_at(f) - 1) * (values(t[j]) - values(t[i]));
     };
+  }
+
+  auto excess_of_filter(const Signal& signal) const
+  {
+    return excess_of_filter([&signal](int v) { return signal.row(v); });
+  }
+
+  auto excess_of_filter(const std::vector<Vec3>& points) const
+  {
+    return excess_of_filter([&points](int v) { return Eigen::Map<const Vec3>(points[v].data()); });
   }
 
 private:

@@ -56,6 +56,24 @@ void keep_order(Eigen::CholmodSupernodalLLT<Matrix, Eigen::Lower>& solver)
 }
 #endif
 
+// Fewer and larger fronts, with some zeros in them: a third of the time where they are tiny, as in a graph of degree three, for a
+// factor that is larger by as much.
+template <class EigenSolver>
+void merge_small_fronts(EigenSolver&) {}
+#ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD
+template <class Matrix>
+void merge_small_fronts(Eigen::CholmodSupernodalLLT<Matrix, Eigen::Lower>& solver)
+{
+  std::size_t (&columns)[3] = solver.cholmod().nrelax;
+  if(columns[0] == 4 && columns[1] == 16 && columns[2] == 48) // its defaults
+  {
+    columns[0] = 12;
+    columns[1] = 32;
+    columns[2] = 64;
+  }
+}
+#endif
+
 // What a solver needs while it works only, and would keep.
 template <class EigenSolver>
 void release_workspace(EigenSolver&) {}
@@ -104,6 +122,8 @@ public:
 
   explicit Linear_solver(const SolverTraits& traits) : m_traits(traits) {}
 
+  void merge_small_fronts() {}
+
   Error_code analyze(const Eigen::SparseMatrix<double>&) { return OK; }
 
   Error_code factorize(const Eigen::SparseMatrix<double>& matrix)
@@ -150,6 +170,8 @@ public:
   static constexpr bool is_cholesky = reads_lower_triangle && !is_iterative; // of ours, which need no more than their factor
 
   explicit Linear_solver(const Eigen_solver_traits<EigenSolver>& traits) : m_traits(traits) {}
+
+  void merge_small_fronts() { internal::merge_small_fronts(m_traits.solver()); }
 
   Error_code analyze(const Eigen::SparseMatrix<double>& matrix)
   {

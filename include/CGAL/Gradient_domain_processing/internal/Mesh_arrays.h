@@ -8,6 +8,7 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_ARRAYS_H
 
 #include <CGAL/Gradient_domain_processing/Triangle_metric.h>
+#include <CGAL/Gradient_domain_processing/internal/parallel_blocks.h>
 #include <CGAL/Gradient_domain_processing/internal/parallel_for.h>
 
 #include <Eigen/Core>
@@ -43,7 +44,7 @@ struct Lists
 };
 
 // The mesh, or the region of it that is worked on, as arrays. Points are multiplied by a power of two that brings the extent
-// near one: no product over- or underflows, and not a bit is lost.
+// near one: no product over- or underflows, and not a bit is lost. Vertices and triangles are in an order of our own.
 struct Mesh_arrays
 {
   std::vector<Vec3> points;
@@ -62,12 +63,14 @@ struct Mesh_arrays
     return Triangle_metric::embedding(points[t[0]], points[t[1]], points[t[2]]);
   }
 
-  double area() const
+  double area(bool parallel) const
   {
-    double sum = 0;
-    for(int f = 0; f < number_of_triangles(); ++f)
-      sum += embedding_metric(f).with_area_bounded_below(degeneracy_ratio).area();
-    return sum;
+    return sum_over_blocks(parallel, triangles.size(), 4096, 0., [&](std::size_t begin, std::size_t end) {
+      double sum = 0;
+      for(std::size_t f = begin; f < end; ++f)
+        sum += embedding_metric(int(f)).with_area_bounded_below(degeneracy_ratio).area();
+      return sum;
+    });
   }
 
   void index_corners()

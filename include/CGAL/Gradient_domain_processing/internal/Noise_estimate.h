@@ -194,14 +194,14 @@ public:
 };
 
 inline Noise_estimate estimate_noise(const Mesh_arrays& mesh, const Face_geometry& faces, const std::vector<Interior_edge>& edges,
-                                     const Lists& rings)
+                                     const Lists& rings, bool parallel)
 {
   constexpr double normal_noise_by_roughness = 1.5;
   constexpr double level_of_clean_meshes = 0.07; // curvature and coarse triangulation look like so much noise
   const double share_of_clean_meshes = 0.08 + 1 / std::sqrt(1. + double(edges.size())); // as exactly as a share is known
 
   const Roughness roughness(mesh, faces, edges);
-  const Vertex_offsets offsets(mesh, vertex_normals(mesh, faces.areas, faces.normals), rings);
+  const Vertex_offsets offsets(mesh, vertex_normals(mesh, faces.areas, faces.normals, parallel), rings);
   const double share = offsets.share_of_noise(mesh, edges);
 
   Noise_estimate noise;

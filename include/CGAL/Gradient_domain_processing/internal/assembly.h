@@ -51,7 +51,7 @@ struct Weights
 inline double conductance(const Triangle_metric& metric, int corner)
 {
   const double w = metric.sqrt_determinant();
-  return w > 0 ? metric.corner_product(corner) / (2 * w) : 0;
+  return metric.corner_product(corner) * (w > 0 ? 1 / (2 * w) : 0); // one division for all corners
 }
 
 // What a triangle adds to the row of one of its vertices v in alpha M + beta S: to the entries (v,v), (v,a), (v,b), where a and
@@ -94,6 +94,16 @@ struct Unknowns
   int size() const { return static_cast<int>(vertex.size()); }
 };
 
+// body(v, column) for all unknowns, in the order of the mesh: its arrays are local in memory, the order of elimination is less so.
+template <class Body>
+void for_each_unknown(bool parallel, const Unknowns& unknowns, const Body& body)
+{
+  parallel_for(parallel, unknowns.column.size(), [&](std::size_t v) {
+    if(unknowns.column[v] >= 0)
+      body(int(v), unknowns.column[v]);
+  });
+}
+
 // The sparsity pattern of alpha M + beta S, the rows of every column in increasing order: all of them, or those of the lower triangle.
 inline Lists sparsity_pattern(const Lists& rings, const Unknowns& unknowns, bool lower_only, bool parallel)
 {
@@ -101,22 +111,20 @@ inline Lists sparsity_pattern(const Lists& rings, const Unknowns& unknowns, bool
   const auto is_in = [&](int row, int column) { return row > column || (row >= 0 && !lower_only); };
   Lists pattern;
   pattern.offsets.assign(n + 1, 0);
-  parallel_for(parallel, n, [&](std::size_t j) {
-    const int v = unknowns.vertex[j];
+  for_each_unknown(parallel, unknowns, [&](int v, int j) {
     pattern.offsets[j + 1] = 1 + int(std::count_if(rings.begin(v), rings.end(v), [&](int w) {
-      return is_in(unknowns.column[w], int(j));
+      return is_in(unknowns.column[w], j);
     }));
   });
   for(int j = 0; j < n; ++j)
     pattern.offsets[j + 1] += pattern.offsets[j];
   pattern.items.resize(pattern.offsets[n]);
-  parallel_for(parallel, n, [&](std::size_t j) {
+  for_each_unknown(parallel, unknowns, [&](int v, int j) {
     int* const first = pattern.items.data() + pattern.offsets[j];
     int* last = first;
-    *last++ = int(j);
-    const int v = unknowns.vertex[j];
+    *last++ = j;
     for(const int* w = rings.begin(v); w != rings.end(v); ++w)
-      if(is_in(unknowns.column[*w], int(j)))
+      if(is_in(unknowns.column[*w], j))
         *last++ = unknowns.column[*w];
     std::sort(first, last);
   });
@@ -140,7 +148,7 @@ inline void assemble(const Mesh_arrays& mesh, const Face_metrics& metrics, const
   const int* const offsets = matrix.outerIndexPtr();
   const int* const rows = matrix.innerIndexPtr();
   double* const values = matrix.valuePtr();
-  parallel_for(parallel, unknowns.size(), [&](std::size_t j) {
+  for_each_unknown(parallel, unknowns, [&](int v, int j) {
     const int first = offsets[j], last = offsets[j + 1];
     std::fill(values + first, values + last, 0.);
     const auto add = [&](int row, double value) {
@@ -151,41 +159,51 @@ inline void assemble(const Mesh_arrays& mesh, const Face_metrics& metrics, const
           return;
         }
     };
-    const int v = unknowns.vertex[j];
     for(const int* c = mesh.corners.begin(v); c != mesh.corners.end(v); ++c)
     {
       const Row_entries entries = row_entries(mesh, metrics, weights, *c);
       const auto others = mesh.opposite_vertices(*c);
-      add(int(j), entries.vv);
+      add(j, entries.vv);
       add(unknowns.column[others[0]], entries.va);
       add(unknowns.column[others[1]], entries.vb);
     }
     // in a system to be solved, a vertex that nothing acts on stays where it is
     for(int at = first; at < last; ++at)
-      if(is_system && rows[at] == int(j) && values[at] == 0)
+      if(is_system && rows[at] == j && values[at] == 0)
         values[at] = 1;
   });
 }
 
 // beta (D v - S f): what the target gradients v ask for beyond the gradients of f. The target is given by its excess over the
-// gradient of f, integrated along the edges: excess(f, i, j, channel) from corner i to corner j of triangle f.
+// gradient of f, integrated along the edges: excess(f, i, j) from corner i to corner j of triangle f, by channel.
 template <class Excess>
 void gradient_residual(const Mesh_arrays& mesh, const Face_metrics& metrics, const Weights& weights,
                        const Unknowns& unknowns, const Excess& excess, bool parallel, Eigen::MatrixXd& residual)
 {
-  const int channels = int(residual.cols());
-  parallel_for(parallel, unknowns.size(), [&](std::size_t row) {
-    for(int channel = 0; channel < channels; ++channel)
-      residual(row, channel) = 0;
-    const int v = unknowns.vertex[row];
+  const auto sum_at = [&](int v, auto& sum) {
     for(const int* c = mesh.corners.begin(v); c != mesh.corners.end(v); ++c)
     {
       const int f = *c / 3, i = *c % 3, j = (i + 1) % 3, k = (i + 2) % 3;
       const double beta = weights.gradient_at(f);
       const Triangle_metric metric = metrics(mesh, f);
       const double to_a = beta * conductance(metric, k), to_b = beta * conductance(metric, j);
-      for(int channel = 0; channel < channels; ++channel)
-        residual(row, channel) -= to_a * excess(f, i, j, channel) + to_b * excess(f, i, k, channel);
+      const auto along_a = excess(f, i, j), along_b = excess(f, i, k);
+      for(Eigen::Index channel = 0; channel < sum.size(); ++channel)
+        sum[channel] -= to_a * along_a[channel] + to_b * along_b[channel];
+    }
+  };
+  for_each_unknown(parallel, unknowns, [&](int v, int row) {
+    if(residual.cols() == 3) // the compiler unrolls what it knows the length of
+    {
+      Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+      sum_at(v, sum);
+      residual.row(row) = sum;
+    }
+    else
+    {
+      auto sum = residual.row(row);
+      sum.setZero();
+      sum_at(v, sum);
     }
   });
 }
@@ -195,8 +213,7 @@ inline void move_to_right_hand_side(const Mesh_arrays& mesh, const Face_metrics&
                                     const Weights& weights, const Unknowns& unknowns, const Signal& displacement,
                                     bool parallel, Eigen::MatrixXd& residual)
 {
-  parallel_for(parallel, unknowns.size(), [&](std::size_t row) {
-    const int v = unknowns.vertex[row];
+  for_each_unknown(parallel, unknowns, [&](int v, int row) {
     for(const int* c = mesh.corners.begin(v); c != mesh.corners.end(v); ++c)
     {
       const Row_entries entries = row_entries(mesh, metrics, weights, *c);

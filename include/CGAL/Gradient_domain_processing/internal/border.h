@@ -126,8 +126,9 @@ Error_code displace_border(const Mesh_arrays& mesh, const Weights& weights, cons
       entries.emplace_back(row, row, e.length * (here / 4 + there / 12) + stiffness);
       if(other >= 0)
         entries.emplace_back(row, other, e.length * (here + there) / 12 - stiffness);
+      const auto along = excess(e.triangle, corner[i], corner[1 - i]);
       for(int channel = 0; channel < channels; ++channel)
-        right(row, channel) -= stiffness * excess(e.triangle, corner[i], corner[1 - i], channel);
+        right(row, channel) -= stiffness * along[channel];
     }
   }
   Sparse_matrix matrix(n, n);

@@ -8,7 +8,6 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_NESTED_DISSECTION_H
 
 #include <CGAL/Gradient_domain_processing/internal/nested_dissection_leaf.h>
-#include <CGAL/Gradient_domain_processing/internal/nested_dissection_morton.h>
 #include <CGAL/Gradient_domain_processing/internal/nested_dissection_separator.h>
 
 #include <CGAL/tags.h>
@@ -39,11 +38,9 @@ class Nested_dissection
 public:
   Nested_dissection(const std::vector<Eigen::Vector3d>& points, const std::vector<int>& offsets,
                     const std::vector<int>& neighbors)
-    : m_original(morton_order(points)), m_order(points.size()), m_domain(points.size(), 0), m_slab(points.size()),
-      m_slot(points.size(), outside)
-  {
-    renumber(points, offsets, neighbors);
-  }
+    : m_points(points), m_offsets(offsets), m_neighbors(neighbors), m_order(points.size()), m_domain(points.size(), 0),
+      m_slab(points.size()), m_slot(points.size(), outside)
+  {}
 
   // Both halves of a domain are ordered at the same time in the first levels of the recursion. They share no edge, and
   // all that is written belongs to a vertex: the result does not depend on it.
@@ -52,7 +49,6 @@ public:
     std::iota(m_order.begin(), m_order.end(), 0);
     Workspace workspace(m_order.size());
     dissect(put_hubs_last(), number_of_parallel_levels, workspace);
-    for(int& v : m_order) v = m_original[v];
     return std::move(m_order);
   }
 
@@ -93,23 +89,6 @@ private:
     std::vector<int> boundary_slot;
     std::array<int, number_of_slabs + 1> population, crossing;
   };
-
-  void renumber(const std::vector<Eigen::Vector3d>& points, const std::vector<int>& offsets,
-                const std::vector<int>& neighbors)
-  {
-    const std::size_t n = points.size();
-    std::vector<int> rank(n);
-    for(std::size_t i = 0; i < n; ++i) rank[m_original[i]] = int(i);
-    m_points.reserve(n);
-    m_offsets.reserve(n + 1);
-    m_offsets.push_back(0);
-    m_neighbors.reserve(neighbors.size());
-    for(int v : m_original) {
-      m_points.push_back(points[v]);
-      for(int j = offsets[v]; j < offsets[v + 1]; ++j) m_neighbors.push_back(rank[neighbors[j]]);
-      m_offsets.push_back(int(m_neighbors.size()));
-    }
-  }
 
   void dissect(Domain domain, int number_of_parallel_levels, Workspace& workspace)
   {
@@ -405,9 +384,9 @@ private:
     for(int k : workspace.leaf.compute()) m_order[end++] = interior[k];
   }
 
-  std::vector<int> m_original;  // the vertices are renumbered along a Morton curve
-  std::vector<Eigen::Vector3d> m_points;
-  std::vector<int> m_offsets, m_neighbors;
+  const std::vector<Eigen::Vector3d>& m_points;
+  const std::vector<int>& m_offsets;
+  const std::vector<int>& m_neighbors;
 
   std::vector<int> m_order;
   std::vector<int> m_domain;  // by vertex: where the range of its domain begins, or `separated`

@@ -11,13 +11,17 @@
 #include <CGAL/Gradient_domain_processing/parameters.h>
 #include <CGAL/Gradient_domain_processing/internal/Gradient_domain_system.h>
 #include <CGAL/Gradient_domain_processing/internal/Mesh_arrays.h>
+#include <CGAL/Gradient_domain_processing/internal/morton_order.h>
+#include <CGAL/Gradient_domain_processing/internal/parallel_for.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <unordered_map>
 #include <vector>
 
@@ -67,27 +71,30 @@ inline void normalize_extent(Mesh_arrays& mesh)
     p *= factor;
 }
 
-// mark_border(v, w) is called for the edges at which a face has no neighbor.
-template <class TriangleMesh, class Vertex_to_int, class Mark_border>
-Error_code read_faces(const TriangleMesh& tm, const Vertex_to_int& vertex_to_int, const Mark_border& mark_border,
-                      Mesh_elements<TriangleMesh>& elements, Mesh_arrays& mesh)
+// The triangles, and of each the set of its edges without a neighbor: 1, 2 and 4 for those from its first, second and third vertex.
+template <class TriangleMesh, class Vertex_to_int>
+Error_code read_faces(const TriangleMesh& tm, const Vertex_to_int& vertex_to_int, bool parallel,
+                      const Mesh_elements<TriangleMesh>& elements, Mesh_arrays& mesh, std::vector<char>& border_edges)
 {
-  mesh.triangles.reserve(elements.faces.size());
-  for(auto f : elements.faces)
-  {
-    const auto h = halfedge(f, tm), second = next(h, tm), third = next(second, tm);
+  const std::array<int, 3> not_a_triangle = {{-1, -1, -1}};
+  mesh.triangles.resize(elements.faces.size());
+  border_edges.resize(elements.faces.size());
+  parallel_for(parallel, elements.faces.size(), [&](std::size_t f) {
+    const auto h = halfedge(elements.faces[f], tm), second = next(h, tm), third = next(second, tm);
     if(next(third, tm) != h || third == h || second == h)
-      return ERROR_NON_TRIANGULAR_MESH;
-    mesh.triangles.push_back({{vertex_to_int(target(third, tm)), vertex_to_int(target(h, tm)), vertex_to_int(target(second, tm))}});
-    const auto& t = mesh.triangles.back();
-    if(is_border(opposite(h, tm), tm))
-      mark_border(t[0], t[1]);
-    if(is_border(opposite(second, tm), tm))
-      mark_border(t[1], t[2]);
-    if(is_border(opposite(third, tm), tm))
-      mark_border(t[2], t[0]);
-  }
-  return OK;
+    {
+      mesh.triangles[f] = not_a_triangle;
+      return;
+    }
+    const int source = vertex_to_int(target(third, tm)), middle = vertex_to_int(target(h, tm));
+    mesh.triangles[f] = {{source, middle, vertex_to_int(target(second, tm))}};
+    border_edges[f] = char(is_border(opposite(h, tm), tm) + 2 * is_border(opposite(second, tm), tm) + 4 * is_border(opposite(third, tm), tm));
+  });
+  const auto bad = std::find(mesh.triangles.begin(), mesh.triangles.end(), not_a_triangle);
+  if(bad == mesh.triangles.end())
+    return OK;
+  mesh.triangles.erase(bad, mesh.triangles.end());
+  return ERROR_NON_TRIANGULAR_MESH;
 }
 
 template <class TriangleMesh, class VertexPointMap>
@@ -101,13 +108,54 @@ Error_code read_points(VertexPointMap vpm, const Mesh_elements<TriangleMesh>& el
       return ERROR_INVALID_POINT;
   }
   normalize_extent(mesh);
-  mesh.index_corners();
   return OK;
+}
+
+template <class T>
+void permute(bool parallel, const std::vector<int>& order, std::vector<T>& items)
+{
+  std::vector<T> permuted(items.size());
+  parallel_for(parallel, items.size(), [&](std::size_t i) { permuted[i] = items[order[i]]; });
+  items.swap(permuted);
+}
+
+// The triangles by their first vertex in the order of the arrays. Counting sort.
+inline std::vector<int> order_by_lowest_vertex(const Mesh_arrays& mesh)
+{
+  const auto lowest = [](const std::array<int, 3>& t) { return (std::min)({t[0], t[1], t[2]}); };
+  std::vector<int> position(mesh.points.size() + 1, 0), order(mesh.triangles.size());
+  for(const auto& t : mesh.triangles)
+    ++position[lowest(t) + 1];
+  std::partial_sum(position.begin(), position.end(), position.begin());
+  for(int f = 0; f < mesh.number_of_triangles(); ++f)
+    order[position[lowest(mesh.triangles[f])]++] = f;
+  return order;
+}
+
+// Neighbors in space become neighbors in memory, whatever the order in the mesh: all that loops over the arrays gains by it.
+template <class TriangleMesh>
+void sort_in_space(bool parallel, Mesh_elements<TriangleMesh>& elements, Mesh_arrays& mesh)
+{
+  const std::vector<int> vertices = morton_order(mesh.points);
+  std::vector<int> rank(vertices.size());
+  for(std::size_t i = 0; i < vertices.size(); ++i)
+    rank[vertices[i]] = int(i);
+  permute(parallel, vertices, elements.vertices);
+  permute(parallel, vertices, mesh.points);
+  permute(parallel, vertices, mesh.is_on_border);
+
+  parallel_for(parallel, mesh.triangles.size(), [&](std::size_t f) {
+    for(int& v : mesh.triangles[f])
+      v = rank[v];
+  });
+  const std::vector<int> faces = order_by_lowest_vertex(mesh);
+  permute(parallel, faces, elements.faces);
+  permute(parallel, faces, mesh.triangles);
 }
 
 // The whole mesh; vertices without a face are among the vertices.
 template <class TriangleMesh, class VertexPointMap, class NamedParameters>
-Error_code read_mesh(const TriangleMesh& tm, VertexPointMap vpm, const NamedParameters& np,
+Error_code read_mesh(const TriangleMesh& tm, VertexPointMap vpm, const NamedParameters& np, bool parallel,
                      Mesh_elements<TriangleMesh>& elements, Mesh_arrays& mesh)
 {
   const auto index_map = CGAL::get_initialized_vertex_index_map(tm, np);
@@ -125,12 +173,21 @@ Error_code read_mesh(const TriangleMesh& tm, VertexPointMap vpm, const NamedPara
       local.resize(index + index / 2 + 1);
     local[index] = int(v);
   }
+  std::vector<char> border_edges;
   const auto vertex_to_int = [&](auto v) { return local[get(index_map, v)]; };
-  mesh.is_on_border.assign(elements.vertices.size(), 0);
-  const auto mark_border = [&](int v, int w) { mesh.is_on_border[v] = mesh.is_on_border[w] = 1; };
-  if(const Error_code code = read_faces(tm, vertex_to_int, mark_border, elements, mesh))
+  if(const Error_code code = read_faces(tm, vertex_to_int, parallel, elements, mesh, border_edges))
     return code;
-  return read_points(vpm, elements, mesh);
+  if(const Error_code code = read_points(vpm, elements, mesh))
+    return code;
+
+  mesh.is_on_border.assign(elements.vertices.size(), 0);
+  for(std::size_t f = 0; f < border_edges.size(); ++f)
+    for(int i = 0; i < 3; ++i)
+      if(border_edges[f] & 1 << i)
+        mesh.is_on_border[mesh.triangles[f][i]] = mesh.is_on_border[mesh.triangles[f][(i + 1) % 3]] = 1;
+  sort_in_space(parallel, elements, mesh);
+  mesh.index_corners();
+  return OK;
 }
 
 // A region: the given faces and their vertices. `is_fixed` marks the vertices at which a face outside the region is.
@@ -152,14 +209,16 @@ Error_code read_region(const TriangleMesh& tm, const FaceRange& region, VertexPo
       elements.vertices.push_back(v);
     return found.first->second;
   };
-  // the border may be among the faces outside of the region
-  if(const Error_code code = read_faces(tm, vertex_to_int, [](int, int) {}, elements, mesh))
+  std::vector<char> border_edges; // not all of them: the border may be among the faces outside of the region
+  if(const Error_code code = read_faces(tm, vertex_to_int, false, elements, mesh, border_edges))
     return code;
   if(const Error_code code = read_points(vpm, elements, mesh))
     return code;
+  mesh.is_on_border.assign(elements.vertices.size(), 0);
+  sort_in_space(false, elements, mesh);
+  mesh.index_corners();
 
   is_fixed.assign(elements.vertices.size(), 0);
-  mesh.is_on_border.assign(elements.vertices.size(), 0);
   for(std::size_t v = 0; v < elements.vertices.size(); ++v)
   {
     int degree = 0;
@@ -175,10 +234,10 @@ Error_code read_region(const TriangleMesh& tm, const FaceRange& region, VertexPo
 
 // The area of the whole mesh, in units of the arrays of it or of one of its regions.
 template <class TriangleMesh, class VertexPointMap>
-double total_area(const TriangleMesh& tm, VertexPointMap vpm, const Mesh_arrays& mesh)
+double total_area(const TriangleMesh& tm, VertexPointMap vpm, const Mesh_arrays& mesh, bool parallel)
 {
   if(mesh.triangles.size() == num_faces(tm)) // the arrays are read several times as fast as the mesh
-    return mesh.area();
+    return mesh.area(parallel);
   const double factor = std::ldexp(1., -mesh.exponent);
   double sum = 0;
   for(auto f : faces(tm))

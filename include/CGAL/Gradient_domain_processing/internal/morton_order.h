@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_NESTED_DISSECTION_MORTON_H
-#define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_NESTED_DISSECTION_MORTON_H
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MORTON_ORDER_H
+#define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MORTON_ORDER_H
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -67,4 +67,4 @@ inline std::vector<int> morton_order(const std::vector<Eigen::Vector3d>& points)
 } // namespace Gradient_domain_processing
 } // namespace CGAL
 
-#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_NESTED_DISSECTION_MORTON_H
+#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MORTON_ORDER_H
