@@ -136,7 +136,7 @@ inline std::vector<int> order_by_lowest_vertex(const Mesh_arrays& mesh)
 template <class TriangleMesh>
 void sort_in_space(bool parallel, Mesh_elements<TriangleMesh>& elements, Mesh_arrays& mesh)
 {
-  const std::vector<int> vertices = morton_order(mesh.points);
+  const std::vector<int> vertices = morton_order(mesh.points, parallel);
   std::vector<int> rank(vertices.size());
   for(std::size_t i = 0; i < vertices.size(); ++i)
     rank[vertices[i]] = int(i);
