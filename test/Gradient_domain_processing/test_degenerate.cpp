@@ -126,6 +126,8 @@ std::vector<Case> degenerate_cases()
       add(where + "a strip inside", grid(10, 10, [&](double u, double v) { return Vec(std::abs(u - 0.5) < 0.01 ? 0.4 + h : u, v, 0.1 * u * u); }));
     }
     add(where + "components of very different size", base + base.scaled(1e-8).moved(Vec(3, 0, 0)));
+    for(double size : {1e-150, 1e-155, 1e-159}) // their squares are hardly numbers any more
+      add(where + "a component whose area underflows", base.moved(Vec(3, 0, 0)) + sphere(2).scaled(size));
     add(where + "components of the same place", base + base);
     shape = base;
     shape.points.push_back(Vec(1, 2, 3));

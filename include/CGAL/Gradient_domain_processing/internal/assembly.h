@@ -51,7 +51,7 @@ struct Weights
 inline double conductance(const Triangle_metric& metric, int corner)
 {
   const double w = metric.sqrt_determinant();
-  return metric.corner_product(corner) * (w > 0 ? 1 / (2 * w) : 0); // one division for all corners
+  return w > 0 ? metric.corner_product(corner) / (2 * w) : 0;
 }
 
 // What a triangle adds to the row of one of its vertices v in alpha M + beta S: to the entries (v,v), (v,a), (v,b), where a and
