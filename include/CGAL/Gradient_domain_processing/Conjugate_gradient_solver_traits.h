@@ -134,6 +134,8 @@ public:
 
   explicit Linear_solver(const Conjugate_gradient_solver_traits<ConcurrencyTag>& traits) : m_traits(traits) {}
 
+  void merge_small_fronts() {}
+
   Error_code analyze(const Eigen::SparseMatrix<double>&) { return OK; }
 
   Error_code factorize(const Eigen::SparseMatrix<double>& matrix)
