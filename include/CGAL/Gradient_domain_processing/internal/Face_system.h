@@ -10,7 +10,6 @@
 #include <CGAL/Gradient_domain_processing/internal/Gradient_domain_system.h>
 
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -69,7 +68,11 @@ public:
     m_edges = interior_edges(mesh);
 
     const int n = mesh.number_of_triangles();
-    index_edges(n);
+    m_edges_of_face = items_by_key(n, [&](const auto& visit) {
+      for(std::size_t e = 0; e < m_edges.size(); ++e)
+        for(int f : {m_edges[e].first, m_edges[e].second})
+          visit(f, int(e));
+    });
     const Lists neighbors = dual_neighbors();
     std::vector<Vec3> centers(n);
     parallel_for(parallel, n, [&](std::size_t f) {
@@ -111,21 +114,6 @@ public:
   }
 
 private:
-  void index_edges(int n)
-  {
-    std::vector<int>& offsets = m_edges_of_face.offsets;
-    offsets.assign(n + 1, 0);
-    for(const Interior_edge& e : m_edges)
-      for(int f : {e.first, e.second})
-        ++offsets[f + 1];
-    std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-    m_edges_of_face.items.resize(offsets[n]);
-    std::vector<int> next(offsets.begin(), offsets.end() - 1);
-    for(std::size_t e = 0; e < m_edges.size(); ++e)
-      for(int f : {m_edges[e].first, m_edges[e].second})
-        m_edges_of_face.items[next[f]++] = int(e);
-  }
-
   // Each once, however many edges two triangles share.
   Lists dual_neighbors() const
   {

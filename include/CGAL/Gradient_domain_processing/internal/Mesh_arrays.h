@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -42,6 +43,20 @@ struct Lists
   const int* end(int i) const { return items.data() + offsets[i + 1]; }
   int size(int i) const { return offsets[i + 1] - offsets[i]; }
 };
+
+// The items of every key, in the order in which for_each_pair(visit) calls visit(key, item). Counting sort.
+template <class For_each_pair>
+Lists items_by_key(int number_of_keys, const For_each_pair& for_each_pair)
+{
+  Lists lists;
+  lists.offsets.assign(number_of_keys + 1, 0);
+  for_each_pair([&](int key, int) { ++lists.offsets[key + 1]; });
+  std::partial_sum(lists.offsets.begin(), lists.offsets.end(), lists.offsets.begin());
+  lists.items.resize(lists.offsets.back());
+  std::vector<int> next(lists.offsets.begin(), lists.offsets.end() - 1);
+  for_each_pair([&](int key, int item) { lists.items[next[key]++] = item; });
+  return lists;
+}
 
 // The mesh, or the region of it that is worked on, as arrays. Points are multiplied by a power of two that brings the extent
 // near one: no product over- or underflows, and not a bit is lost. Vertices and triangles are in an order of our own.
@@ -75,19 +90,11 @@ struct Mesh_arrays
 
   void index_corners()
   {
-    const int n = number_of_vertices();
-    corners.offsets.assign(n + 1, 0);
-    for(const auto& t : triangles)
-      for(int v : t)
-        ++corners.offsets[v + 1];
-    for(int v = 0; v < n; ++v)
-      corners.offsets[v + 1] += corners.offsets[v];
-
-    corners.items.resize(corners.offsets[n]);
-    std::vector<int> next(corners.offsets.begin(), corners.offsets.end() - 1);
-    for(int f = 0; f < number_of_triangles(); ++f)
-      for(int i = 0; i < 3; ++i)
-        corners.items[next[triangles[f][i]]++] = 3 * f + i;
+    corners = items_by_key(number_of_vertices(), [&](const auto& visit) {
+      for(int f = 0; f < number_of_triangles(); ++f)
+        for(int i = 0; i < 3; ++i)
+          visit(triangles[f][i], 3 * f + i);
+    });
   }
 
   // The two other vertices of the triangle at a corner, in its orientation.

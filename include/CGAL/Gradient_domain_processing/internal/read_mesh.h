@@ -21,7 +21,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <unordered_map>
 #include <vector>
 
@@ -119,19 +118,6 @@ void permute(bool parallel, const std::vector<int>& order, std::vector<T>& items
   items.swap(permuted);
 }
 
-// The triangles by their first vertex in the order of the arrays. Counting sort.
-inline std::vector<int> order_by_lowest_vertex(const Mesh_arrays& mesh)
-{
-  const auto lowest = [](const std::array<int, 3>& t) { return (std::min)({t[0], t[1], t[2]}); };
-  std::vector<int> position(mesh.points.size() + 1, 0), order(mesh.triangles.size());
-  for(const auto& t : mesh.triangles)
-    ++position[lowest(t) + 1];
-  std::partial_sum(position.begin(), position.end(), position.begin());
-  for(int f = 0; f < mesh.number_of_triangles(); ++f)
-    order[position[lowest(mesh.triangles[f])]++] = f;
-  return order;
-}
-
 // Neighbors in space become neighbors in memory, whatever the order in the mesh: all that loops over the arrays gains by it.
 template <class TriangleMesh>
 void sort_in_space(bool parallel, Mesh_elements<TriangleMesh>& elements, Mesh_arrays& mesh)
@@ -148,7 +134,10 @@ void sort_in_space(bool parallel, Mesh_elements<TriangleMesh>& elements, Mesh_ar
     for(int& v : mesh.triangles[f])
       v = rank[v];
   });
-  const std::vector<int> faces = order_by_lowest_vertex(mesh);
+  const std::vector<int> faces = items_by_key(mesh.number_of_vertices(), [&](const auto& visit) {
+    for(int f = 0; f < mesh.number_of_triangles(); ++f)
+      visit(*std::min_element(mesh.triangles[f].begin(), mesh.triangles[f].end()), f);
+  }).items;
   permute(parallel, faces, elements.faces);
   permute(parallel, faces, mesh.triangles);
 }
