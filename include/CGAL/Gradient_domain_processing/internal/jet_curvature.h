@@ -127,8 +127,8 @@ bool jet_curvatures_in_parallel(const std::vector<Vec3>& points, const std::vect
   bool is_cancelled = false;
   tbb::task_group_context context;
 
-  tbb_parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), jet_curvature_grain),
-    [&](const tbb::blocked_range<std::size_t>& range)
+  tbb_parallel_for(Loop_range(0, points.size(), jet_curvature_grain),
+    [&](const Loop_range& range)
     {
       Estimator& estimate = estimators.local();
       for(std::size_t v = range.begin(); v != range.end(); ++v)

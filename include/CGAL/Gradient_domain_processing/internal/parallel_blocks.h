@@ -27,7 +27,7 @@ void for_each_block(bool parallel, std::size_t n, std::size_t size, const Body& 
 #ifdef CGAL_LINKED_WITH_TBB
   if(parallel && number_of_blocks > 1)
   {
-    tbb_parallel_for(tbb::blocked_range<std::size_t>(0, number_of_blocks, 1), [&](const tbb::blocked_range<std::size_t>& range) {
+    tbb_parallel_for(Loop_range(0, number_of_blocks, 1), [&](const Loop_range& range) {
       for(std::size_t block = range.begin(); block != range.end(); ++block)
         run(block);
     });

@@ -27,7 +27,7 @@ void parallel_for(bool parallel, std::size_t n, const Body& body)
   const std::size_t grain = 2048; // below it, a task costs more than it saves
   if(parallel && n > grain)
   {
-    tbb_parallel_for(tbb::blocked_range<std::size_t>(0, n, grain), [&](const tbb::blocked_range<std::size_t>& range) {
+    tbb_parallel_for(Loop_range(0, n, grain), [&](const Loop_range& range) {
       for(std::size_t i = range.begin(); i != range.end(); ++i)
         body(i);
     });
