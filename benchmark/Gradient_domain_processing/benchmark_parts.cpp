@@ -155,7 +155,7 @@ void benchmark_assembly(const Mesh& mesh, int repetitions)
   require(solver.factorize());
   const auto& system = solver.system();
   GDP::internal::Sparse_matrix filled
-    = GDP::internal::matrix_of(GDP::internal::sparsity_pattern(system.mesh.one_rings(true), system.unknowns(), true, true));
+    = GDP::internal::matrix_of(GDP::internal::sparsity_pattern(system.mesh.one_rings(true), system.unknowns(), true, true), true);
   const auto refill = [&](bool parallel) {
     GDP::internal::assemble(system.mesh, GDP::internal::Face_metrics(), system.weights(), system.unknowns(), parallel, filled);
   };

@@ -83,7 +83,7 @@ public:
     const Lists rings = mesh.one_rings(parallel);
     m_unknowns = order_unknowns(mesh.points, rings, [&](int v) { return !is_constrained[v] && mesh.corners.size(v) > 0; }, parallel);
     m_pattern = sparsity_pattern(rings, m_unknowns, m_solver.reads_lower_triangle, parallel);
-    const Error_code code = m_unknowns.size() > 0 ? m_solver.analyze(matrix_of(m_pattern)) : OK;
+    const Error_code code = m_unknowns.size() > 0 ? m_solver.analyze(matrix_of(m_pattern, parallel)) : OK;
     m_is_analyzed = code == OK;
     return code;
   }
@@ -103,9 +103,8 @@ public:
       Sparse_matrix matrix; // the solver has a factor or a copy of it, so it need not stay
       {
         Stage_scope stage(progress, Stage::ASSEMBLE);
-        matrix = matrix_of(m_pattern);
-        assemble(mesh, m_metrics, m_weights, m_unknowns, parallel, matrix);
-        m_values_weigh_little = values_weigh_little(matrix);
+        matrix = matrix_of(m_pattern, parallel);
+        m_values_weigh_little = assemble(mesh, m_metrics, m_weights, m_unknowns, parallel, matrix);
       }
       if(!progress.go_on(0))
         return ERROR_CANCELLED;
@@ -211,23 +210,6 @@ private:
       rest = less;
     }
     return OK;
-  }
-
-  // Whether rounding might decide on the constant of a component: the sums of the rows, which hold the values' part, are all but
-  // lost in the diagonal.
-  bool values_weigh_little(const Sparse_matrix& matrix) const
-  {
-    Eigen::VectorXd sums = Eigen::VectorXd::Zero(matrix.cols()), diagonal(matrix.cols());
-    for(int j = 0; j < matrix.outerSize(); ++j)
-      for(Sparse_matrix::InnerIterator it(matrix, j); it; ++it)
-      {
-        sums[j] += it.value();
-        if(it.row() == j)
-          diagonal[j] = it.value();
-        else if(m_solver.reads_lower_triangle)
-          sums[it.row()] += it.value();
-      }
-    return (sums.array() < 1e-9 * diagonal.array()).any();
   }
 
   // Targets are differences along edges, so what they ask for sums up to zero: on a component without constraints the mean of

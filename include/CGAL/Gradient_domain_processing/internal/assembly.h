@@ -12,6 +12,8 @@
 #include <Eigen/SparseCore>
 
 #include <algorithm>
+#include <atomic>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -132,27 +134,35 @@ inline Lists sparsity_pattern(const Lists& rings, const Unknowns& unknowns, bool
 }
 
 // A square matrix with this pattern, its values still to be set.
-inline Sparse_matrix matrix_of(const Lists& pattern)
+inline Sparse_matrix matrix_of(const Lists& pattern, bool parallel)
 {
   Sparse_matrix matrix(pattern.size(), pattern.size());
   matrix.resizeNonZeros(pattern.offsets.back());
   std::copy(pattern.offsets.begin(), pattern.offsets.end(), matrix.outerIndexPtr());
-  std::copy(pattern.items.begin(), pattern.items.end(), matrix.innerIndexPtr());
+  for_each_block(parallel, pattern.items.size(), 1 << 16, [&](std::size_t begin, std::size_t end) { // most of it is the first touch of memory
+    std::copy(pattern.items.data() + begin, pattern.items.data() + end, matrix.innerIndexPtr() + begin);
+  });
   return matrix;
 }
 
-// Fills the values of alpha M + beta S into its pattern, a column at a time: columns do not touch each other.
-inline void assemble(const Mesh_arrays& mesh, const Face_metrics& metrics, const Weights& weights,
+// Fills the values of alpha M + beta S into its pattern, a column at a time: columns do not touch each other. Answers whether
+// rounding might decide on the constant of a component: the sum of a row, which holds the values' part, is all but lost in its
+// diagonal.
+inline bool assemble(const Mesh_arrays& mesh, const Face_metrics& metrics, const Weights& weights,
                      const Unknowns& unknowns, bool parallel, Sparse_matrix& matrix, bool is_system = true)
 {
+  std::atomic<bool> values_weigh_little(false);
   const int* const offsets = matrix.outerIndexPtr();
   const int* const rows = matrix.innerIndexPtr();
   double* const values = matrix.valuePtr();
   for_each_unknown(parallel, unknowns, [&](int v, int j) {
     const int first = offsets[j], last = offsets[j + 1];
     std::fill(values + first, values + last, 0.);
+    double sum = 0, diagonal = 0;
     const auto add = [&](int row, double value) {
-      for(int at = first; at < last; ++at)
+      if(row >= 0)
+        sum += value;
+      for(int at = first; at < last; ++at) // not found: in the other triangle of the matrix, or no unknown
         if(rows[at] == row)
         {
           values[at] += value;
@@ -163,15 +173,19 @@ inline void assemble(const Mesh_arrays& mesh, const Face_metrics& metrics, const
     {
       const Row_entries entries = row_entries(mesh, metrics, weights, *c);
       const auto others = mesh.opposite_vertices(*c);
+      diagonal += entries.vv;
       add(j, entries.vv);
       add(unknowns.column[others[0]], entries.va);
       add(unknowns.column[others[1]], entries.vb);
     }
+    if(sum < 1e-9 * diagonal)
+      values_weigh_little.store(true, std::memory_order_relaxed);
     // in a system to be solved, a vertex that nothing acts on stays where it is
     for(int at = first; at < last; ++at)
       if(is_system && rows[at] == j && values[at] == 0)
         values[at] = 1;
   });
+  return values_weigh_little;
 }
 
 // beta (D v - S f): what the target gradients v ask for beyond the gradients of f. The target is given by its excess over the
