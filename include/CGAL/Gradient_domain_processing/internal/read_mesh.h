@@ -75,19 +75,36 @@ template <class TriangleMesh, class Vertex_to_int>
 Error_code read_faces(const TriangleMesh& tm, const Vertex_to_int& vertex_to_int, bool parallel,
                       const Mesh_elements<TriangleMesh>& elements, Mesh_arrays& mesh, std::vector<char>& border_edges)
 {
+  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
   const std::array<int, 3> not_a_triangle = {{-1, -1, -1}};
   mesh.triangles.resize(elements.faces.size());
   border_edges.resize(elements.faces.size());
-  parallel_for(parallel, elements.faces.size(), [&](std::size_t f) {
-    const auto h = halfedge(elements.faces[f], tm), second = next(h, tm), third = next(second, tm);
-    if(next(third, tm) != h || third == h || second == h)
+  // in steps: within one, no access to memory waits for another
+  constexpr std::size_t block_size = 256;
+  for_each_block(parallel, elements.faces.size(), 16 * block_size, [&](std::size_t begin, std::size_t end) {
+    std::array<halfedge_descriptor, block_size> first, second, third;
+    for(; begin < end; begin += block_size)
     {
-      mesh.triangles[f] = not_a_triangle;
-      return;
+      const std::size_t size = (std::min)(block_size, end - begin);
+      for(std::size_t k = 0; k < size; ++k)
+        first[k] = halfedge(elements.faces[begin + k], tm);
+      for(std::size_t k = 0; k < size; ++k)
+        second[k] = next(first[k], tm);
+      for(std::size_t k = 0; k < size; ++k)
+        third[k] = next(second[k], tm);
+      for(std::size_t k = 0; k < size; ++k)
+      {
+        if(next(third[k], tm) != first[k] || third[k] == first[k] || second[k] == first[k])
+        {
+          mesh.triangles[begin + k] = not_a_triangle;
+          continue;
+        }
+        const int source = vertex_to_int(target(third[k], tm)), middle = vertex_to_int(target(first[k], tm));
+        mesh.triangles[begin + k] = {{source, middle, vertex_to_int(target(second[k], tm))}};
+        const auto is_on_border = [&](halfedge_descriptor h) { return is_border(opposite(h, tm), tm); };
+        border_edges[begin + k] = char(is_on_border(first[k]) + 2 * is_on_border(second[k]) + 4 * is_on_border(third[k]));
+      }
     }
-    const int source = vertex_to_int(target(third, tm)), middle = vertex_to_int(target(h, tm));
-    mesh.triangles[f] = {{source, middle, vertex_to_int(target(second, tm))}};
-    border_edges[f] = char(is_border(opposite(h, tm), tm) + 2 * is_border(opposite(second, tm), tm) + 4 * is_border(opposite(third, tm), tm));
   });
   const auto bad = std::find(mesh.triangles.begin(), mesh.triangles.end(), not_a_triangle);
   if(bad == mesh.triangles.end())
