@@ -154,8 +154,8 @@ void benchmark_assembly(const Mesh& mesh, int repetitions)
   auto solver = GDP::make_gradient_domain_solver(mesh);
   require(solver.factorize());
   const auto& system = solver.system();
-  GDP::internal::Sparse_matrix filled
-    = GDP::internal::matrix_of(GDP::internal::sparsity_pattern(system.mesh.one_rings(true), system.unknowns(), true, true), true);
+  GDP::internal::Sparse_matrix filled;
+  GDP::internal::set_pattern(GDP::internal::sparsity_pattern(system.mesh.one_rings(true), system.unknowns(), true, true), true, filled);
   const auto refill = [&](bool parallel) {
     GDP::internal::assemble(system.mesh, GDP::internal::Face_metrics(), system.weights(), system.unknowns(), parallel, filled);
   };

@@ -100,7 +100,7 @@ Error_code assemble_operator(const TriangleMesh& tm, double value_weight, double
   Weights weights;
   weights.value = value_weight;
   weights.gradient = gradient_weight;
-  matrix = matrix_of(sparsity_pattern(input.mesh.one_rings(parallel), unknowns, false, parallel), parallel);
+  set_pattern(sparsity_pattern(input.mesh.one_rings(parallel), unknowns, false, parallel), parallel, matrix);
   assemble(input.mesh, input.metrics, weights, unknowns, parallel, matrix, false);
   return OK;
 }

@@ -80,7 +80,7 @@ public:
       centers[f] = (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3;
     });
     m_unknowns = order_unknowns(centers, neighbors, [](int) { return true; }, parallel);
-    m_matrix = matrix_of(sparsity_pattern(neighbors, m_unknowns, m_solver.reads_lower_triangle, parallel), parallel);
+    set_pattern(sparsity_pattern(neighbors, m_unknowns, m_solver.reads_lower_triangle, parallel), parallel, m_matrix);
     m_solver.merge_small_fronts();
     return m_solver.analyze(m_matrix);
   }

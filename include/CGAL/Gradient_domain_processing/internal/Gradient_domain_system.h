@@ -37,6 +37,7 @@ private:
   Weights m_weights;
   Unknowns m_unknowns;
   Lists m_pattern; // of the matrix, by column, for as long as the system lives
+  Sparse_matrix m_matrix; // with it, from the analysis to the first factorization
   Sparse_matrix m_unshifted;
   Linear_solver<SparseLinearSolver> m_solver;
   bool m_is_analyzed = false, m_is_factorized = false, m_values_weigh_little = false;
@@ -83,7 +84,8 @@ public:
     const Lists rings = mesh.one_rings(parallel);
     m_unknowns = order_unknowns(mesh.points, rings, [&](int v) { return !is_constrained[v] && mesh.corners.size(v) > 0; }, parallel);
     m_pattern = sparsity_pattern(rings, m_unknowns, m_solver.reads_lower_triangle, parallel);
-    const Error_code code = m_unknowns.size() > 0 ? m_solver.analyze(matrix_of(m_pattern, parallel)) : OK;
+    set_pattern(m_pattern, parallel, m_matrix);
+    const Error_code code = m_unknowns.size() > 0 ? m_solver.analyze(m_matrix) : OK;
     m_is_analyzed = code == OK;
     return code;
   }
@@ -103,7 +105,9 @@ public:
       Sparse_matrix matrix; // the solver has a factor or a copy of it, so it need not stay
       {
         Stage_scope stage(progress, Stage::ASSEMBLE);
-        matrix = matrix_of(m_pattern, parallel);
+        matrix.swap(m_matrix);
+        if(matrix.rows() == 0)
+          set_pattern(m_pattern, parallel, matrix);
         m_values_weigh_little = assemble(mesh, m_metrics, m_weights, m_unknowns, parallel, matrix);
       }
       if(!progress.go_on(0))

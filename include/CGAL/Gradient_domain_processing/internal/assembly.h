@@ -133,16 +133,15 @@ inline Lists sparsity_pattern(const Lists& rings, const Unknowns& unknowns, bool
   return pattern;
 }
 
-// A square matrix with this pattern, its values still to be set.
-inline Sparse_matrix matrix_of(const Lists& pattern, bool parallel)
+// Makes it a square matrix with this pattern, its values still to be set.
+inline void set_pattern(const Lists& pattern, bool parallel, Sparse_matrix& matrix)
 {
-  Sparse_matrix matrix(pattern.size(), pattern.size());
+  matrix.resize(pattern.size(), pattern.size());
   matrix.resizeNonZeros(pattern.offsets.back());
   std::copy(pattern.offsets.begin(), pattern.offsets.end(), matrix.outerIndexPtr());
   for_each_block(parallel, pattern.items.size(), 1 << 16, [&](std::size_t begin, std::size_t end) { // most of it is the first touch of memory
     std::copy(pattern.items.data() + begin, pattern.items.data() + end, matrix.innerIndexPtr() + begin);
   });
-  return matrix;
 }
 
 // Fills the values of alpha M + beta S into its pattern, a column at a time: columns do not touch each other. Answers whether

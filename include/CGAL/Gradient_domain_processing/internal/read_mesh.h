@@ -136,27 +136,26 @@ void permute(bool parallel, const std::vector<int>& order, std::vector<T>& items
 }
 
 // Neighbors in space become neighbors in memory, whatever the order in the mesh: all that loops over the arrays gains by it.
+// Answers where the vertices were.
 template <class TriangleMesh>
-void sort_in_space(bool parallel, Mesh_elements<TriangleMesh>& elements, Mesh_arrays& mesh)
+std::vector<int> sort_vertices(bool parallel, Mesh_elements<TriangleMesh>& elements, Mesh_arrays& mesh)
 {
-  const std::vector<int> vertices = morton_order(mesh.points, parallel);
-  std::vector<int> rank(vertices.size());
-  for(std::size_t i = 0; i < vertices.size(); ++i)
-    rank[vertices[i]] = int(i);
-  permute(parallel, vertices, elements.vertices);
-  permute(parallel, vertices, mesh.points);
-  permute(parallel, vertices, mesh.is_on_border);
+  std::vector<int> order = morton_order(mesh.points, parallel);
+  permute(parallel, order, elements.vertices);
+  permute(parallel, order, mesh.points);
+  return order;
+}
 
-  parallel_for(parallel, mesh.triangles.size(), [&](std::size_t f) {
-    for(int& v : mesh.triangles[f])
-      v = rank[v];
-  });
-  const std::vector<int> faces = items_by_key(mesh.number_of_vertices(), [&](const auto& visit) {
+// By their lowest vertex.
+template <class TriangleMesh>
+void sort_faces(bool parallel, Mesh_elements<TriangleMesh>& elements, Mesh_arrays& mesh)
+{
+  const std::vector<int> order = items_by_key(mesh.number_of_vertices(), [&](const auto& visit) {
     for(int f = 0; f < mesh.number_of_triangles(); ++f)
       visit(*std::min_element(mesh.triangles[f].begin(), mesh.triangles[f].end()), f);
   }).items;
-  permute(parallel, faces, elements.faces);
-  permute(parallel, faces, mesh.triangles);
+  permute(parallel, order, elements.faces);
+  permute(parallel, order, mesh.triangles);
 }
 
 // The whole mesh; vertices without a face are among the vertices.
@@ -169,6 +168,10 @@ Error_code read_mesh(const TriangleMesh& tm, VertexPointMap vpm, const NamedPara
   elements.faces.assign(faces(tm).begin(), faces(tm).end());
   if(elements.faces.empty())
     return ERROR_EMPTY_MESH;
+
+  if(const Error_code code = read_points(vpm, elements, mesh))
+    return code;
+  sort_vertices(parallel, elements, mesh);
 
   // indices have gaps where vertices were removed
   std::vector<int> local(elements.vertices.size());
@@ -183,15 +186,13 @@ Error_code read_mesh(const TriangleMesh& tm, VertexPointMap vpm, const NamedPara
   const auto vertex_to_int = [&](auto v) { return local[get(index_map, v)]; };
   if(const Error_code code = read_faces(tm, vertex_to_int, parallel, elements, mesh, border_edges))
     return code;
-  if(const Error_code code = read_points(vpm, elements, mesh))
-    return code;
 
   mesh.is_on_border.assign(elements.vertices.size(), 0);
   for(std::size_t f = 0; f < border_edges.size(); ++f)
     for(int i = 0; i < 3; ++i)
       if(border_edges[f] & 1 << i)
         mesh.is_on_border[mesh.triangles[f][i]] = mesh.is_on_border[mesh.triangles[f][(i + 1) % 3]] = 1;
-  sort_in_space(parallel, elements, mesh);
+  sort_faces(parallel, elements, mesh);
   mesh.index_corners();
   return OK;
 }
@@ -220,10 +221,17 @@ Error_code read_region(const TriangleMesh& tm, const FaceRange& region, VertexPo
     return code;
   if(const Error_code code = read_points(vpm, elements, mesh))
     return code;
-  mesh.is_on_border.assign(elements.vertices.size(), 0);
-  sort_in_space(false, elements, mesh);
+  const std::vector<int> order = sort_vertices(false, elements, mesh);
+  std::vector<int> rank(order.size());
+  for(std::size_t i = 0; i < order.size(); ++i)
+    rank[order[i]] = int(i);
+  for(auto& triangle : mesh.triangles)
+    for(int& v : triangle)
+      v = rank[v];
+  sort_faces(false, elements, mesh);
   mesh.index_corners();
 
+  mesh.is_on_border.assign(elements.vertices.size(), 0);
   is_fixed.assign(elements.vertices.size(), 0);
   for(std::size_t v = 0; v < elements.vertices.size(); ++v)
   {
