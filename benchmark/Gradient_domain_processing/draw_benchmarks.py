@@ -137,6 +137,11 @@ def parts_table(report):
         elif name == "region":
             rows.append(["whole mesh / one percent of it", n, "{whole:.2f} / {one_percent:.4f}".format(**part),
                          f"{100 * part['one_percent'] / part['whole']:.1f} %"])
+        elif name == "threads_sequential":
+            parallel = next(p for p in report["parts"] if p["benchmark"] == "threads_parallel" and p["vertices"] == part["vertices"])
+            for stage in ("curvature", "metric", "assemble"):
+                rows.append([f"stage `{stage}` of edge-aware smoothing: one thread / all", n, f"{part[stage]:.4f} / {parallel[stage]:.4f}",
+                             f"{part[stage] / parallel[stage]:.2f} times faster"])
     return table(["what", "vertices", "seconds", "ratio"], rows)
 
 

@@ -3,11 +3,12 @@
 
 usage: run_benchmarks.py --build BUILD [--data FOLDER] [--sizes 81k,173k,656k,947k] [--repetitions 3] [--output results.json]
                          [--peer 'NAME=COMMAND {input} {output}']... [--edge-aware-peer 'NAME=COMMAND {input} {output}']...
-                         [--parts] [--growth]
+                         [--parts] [--part-repetitions 9] [--growth]
 
 BUILD is a build folder with gradient_domain_filter and benchmark_parts (cmake -DCGAL_GDP_BUILD_BENCHMARKS=ON). The meshes are made from
 CGAL's data (Debian: package libcgal-demo): remeshed to the size, for growth subdivided, with noise of 0.2 mean edge lengths. Every command
 takes its turn in each repetition; medians are printed as a table and written as JSON, which draw_benchmarks.py turns into plots and tables.
+The parts are short, and measured in one process: they need more repetitions than whole processes.
 """
 import argparse
 import datetime
@@ -87,6 +88,7 @@ def main():
     parser.add_argument("--peer", action="append", default=[])
     parser.add_argument("--edge-aware-peer", action="append", default=[])
     parser.add_argument("--parts", action="store_true")
+    parser.add_argument("--part-repetitions", type=int, default=9)
     parser.add_argument("--growth", action="store_true")
     options = parser.parse_args()
     os.makedirs(options.data, exist_ok=True)
@@ -113,7 +115,7 @@ def main():
             if os.path.exists(parts[0] + "_mkl"):
                 commands.insert(1, [parts[0] + "_mkl", "solver"])
             for command in commands:
-                lines = subprocess.run(command + [path, str(options.repetitions)], capture_output=True, text=True, check=True).stdout
+                lines = subprocess.run(command + [path, str(options.part_repetitions)], capture_output=True, text=True, check=True).stdout
                 report["parts"] += [json.loads(line) for line in lines.splitlines()]
                 print(lines, end="", flush=True)
     if options.growth:

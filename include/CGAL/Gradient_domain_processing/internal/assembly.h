@@ -8,6 +8,8 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ASSEMBLY_H
 
 #include <CGAL/Gradient_domain_processing/internal/Mesh_arrays.h>
+#include <CGAL/Gradient_domain_processing/internal/parallel_blocks.h>
+#include <CGAL/Gradient_domain_processing/internal/parallel_for.h>
 
 #include <Eigen/SparseCore>
 

@@ -12,6 +12,7 @@
 #include <CGAL/Gradient_domain_processing/internal/Gradient_domain_system.h>
 #include <CGAL/Gradient_domain_processing/internal/Mesh_arrays.h>
 #include <CGAL/Gradient_domain_processing/internal/morton_order.h>
+#include <CGAL/Gradient_domain_processing/internal/parallel_blocks.h>
 #include <CGAL/Gradient_domain_processing/internal/parallel_for.h>
 
 #include <CGAL/boost/graph/helpers.h>
