@@ -59,7 +59,8 @@ Lists items_by_key(int number_of_keys, const For_each_pair& for_each_pair)
 }
 
 // The mesh, or the region of it that is worked on, as arrays. Points are multiplied by a power of two that brings the extent
-// near one: no product over- or underflows, and not a bit is lost. Vertices and triangles are in an order of our own.
+// near one: no product over- or underflows, and not a bit is lost. Vertices are in an order of our own, triangles in that of their
+// lowest vertices.
 struct Mesh_arrays
 {
   std::vector<Vec3> points;

@@ -14,6 +14,7 @@
 #include <Eigen/SparseCore>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <vector>
@@ -58,6 +59,51 @@ inline double conductance(const Triangle_metric& metric, int corner)
   return w > 0 ? metric.corner_product(corner) / (2 * w) : 0;
 }
 
+// What a triangle gives to the matrices: the square root of its metric's determinant, twice the area, and its conductances.
+struct Triangle_coefficients
+{
+  double sqrt_determinant;
+  std::array<double, 3> conductances;
+};
+
+inline Triangle_coefficients triangle_coefficients(const Triangle_metric& metric)
+{
+  return {metric.sqrt_determinant(), {{conductance(metric, 0), conductance(metric, 1), conductance(metric, 2)}}};
+}
+
+// The coefficients for a block of vertices, each computed once instead of for every corner: those of the triangles whose lowest
+// vertex is in the block lie together and are kept; the few others are computed when asked for.
+class Block_coefficients
+{
+  const Mesh_arrays& m_mesh;
+  const Face_metrics& m_metrics;
+  int m_first;
+  std::vector<Triangle_coefficients> m_kept;
+
+public:
+  Block_coefficients(const Mesh_arrays& mesh, const Face_metrics& metrics, std::size_t begin, std::size_t end)
+    : m_mesh(mesh), m_metrics(metrics), m_first(first_triangle(begin))
+  {
+    const int last = first_triangle(end);
+    for(int f = m_first; f < last; ++f)
+      m_kept.push_back(triangle_coefficients(metrics(mesh, f)));
+  }
+
+  Triangle_coefficients operator()(int f) const
+  {
+    const std::size_t at = std::size_t(f) - std::size_t(m_first); // huge below the first
+    return at < m_kept.size() ? m_kept[at] : triangle_coefficients(m_metrics(m_mesh, f));
+  }
+
+private:
+  // Of those whose vertices are all at least v; triangles are sorted by their lowest vertex.
+  int first_triangle(std::size_t v) const
+  {
+    const auto is_below = [v](const std::array<int, 3>& t) { return std::size_t(*std::min_element(t.begin(), t.end())) < v; };
+    return int(std::partition_point(m_mesh.triangles.begin(), m_mesh.triangles.end(), is_below) - m_mesh.triangles.begin());
+  }
+};
+
 // What a triangle adds to the row of one of its vertices v in alpha M + beta S: to the entries (v,v), (v,a), (v,b), where a and
 // b are the next two vertices of the triangle.
 struct Row_entries
@@ -65,16 +111,13 @@ struct Row_entries
   double vv, va, vb;
 };
 
-inline Row_entries row_entries(const Mesh_arrays& mesh, const Face_metrics& metrics, const Weights& weights,
-                               int corner)
+inline Row_entries row_entries(const Mesh_arrays& mesh, const Triangle_coefficients& coefficients, const Weights& weights, int corner)
 {
   const int f = corner / 3, i = corner % 3, j = (i + 1) % 3, k = (i + 2) % 3;
-  const Triangle_metric metric = metrics(mesh, f);
-
   const double beta = weights.gradient_at(f);
-  const double to_a = beta * conductance(metric, k), to_b = beta * conductance(metric, j);
+  const double to_a = beta * coefficients.conductances[k], to_b = beta * coefficients.conductances[j];
 
-  const double w = metric.sqrt_determinant();
+  const double w = coefficients.sqrt_determinant;
   if(weights.value_at_vertex.empty())
   {
     const double mass = weights.value * w / 24;
@@ -87,6 +130,11 @@ inline Row_entries row_entries(const Mesh_arrays& mesh, const Face_metrics& metr
   return {w / 60 * (3 * at_v + at_a + at_b) + to_a + to_b,
           w / 120 * (2 * at_v + 2 * at_a + at_b) - to_a,
           w / 120 * (2 * at_v + at_a + 2 * at_b) - to_b};
+}
+
+inline Row_entries row_entries(const Mesh_arrays& mesh, const Face_metrics& metrics, const Weights& weights, int corner)
+{
+  return row_entries(mesh, triangle_coefficients(metrics(mesh, corner / 3)), weights, corner);
 }
 
 // Which vertices are solved for, and in which order.
@@ -105,6 +153,18 @@ void for_each_unknown(bool parallel, const Unknowns& unknowns, const Body& body)
   parallel_for(parallel, unknowns.column.size(), [&](std::size_t v) {
     if(unknowns.column[v] >= 0)
       body(int(v), unknowns.column[v]);
+  });
+}
+
+// body(v, column, coefficients) for all unknowns, in the order of the mesh.
+template <class Body>
+void for_each_unknown(bool parallel, const Unknowns& unknowns, const Mesh_arrays& mesh, const Face_metrics& metrics, const Body& body)
+{
+  for_each_block(parallel, unknowns.column.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    const Block_coefficients coefficients(mesh, metrics, begin, end);
+    for(std::size_t v = begin; v < end; ++v)
+      if(unknowns.column[v] >= 0)
+        body(int(v), unknowns.column[v], coefficients);
   });
 }
 
@@ -156,7 +216,7 @@ inline bool assemble(const Mesh_arrays& mesh, const Face_metrics& metrics, const
   const int* const offsets = matrix.outerIndexPtr();
   const int* const rows = matrix.innerIndexPtr();
   double* const values = matrix.valuePtr();
-  for_each_unknown(parallel, unknowns, [&](int v, int j) {
+  for_each_unknown(parallel, unknowns, mesh, metrics, [&](int v, int j, const Block_coefficients& coefficients) {
     const int first = offsets[j], last = offsets[j + 1];
     std::fill(values + first, values + last, 0.);
     double sum = 0, diagonal = 0;
@@ -172,7 +232,7 @@ inline bool assemble(const Mesh_arrays& mesh, const Face_metrics& metrics, const
     };
     for(const int* c = mesh.corners.begin(v); c != mesh.corners.end(v); ++c)
     {
-      const Row_entries entries = row_entries(mesh, metrics, weights, *c);
+      const Row_entries entries = row_entries(mesh, coefficients(*c / 3), weights, *c);
       const auto others = mesh.opposite_vertices(*c);
       diagonal += entries.vv;
       add(j, entries.vv);
@@ -195,30 +255,30 @@ template <class Excess>
 void gradient_residual(const Mesh_arrays& mesh, const Face_metrics& metrics, const Weights& weights,
                        const Unknowns& unknowns, const Excess& excess, bool parallel, Eigen::MatrixXd& residual)
 {
-  const auto sum_at = [&](int v, auto& sum) {
+  const auto sum_at = [&](int v, const Block_coefficients& coefficients, auto& sum) {
     for(const int* c = mesh.corners.begin(v); c != mesh.corners.end(v); ++c)
     {
       const int f = *c / 3, i = *c % 3, j = (i + 1) % 3, k = (i + 2) % 3;
       const double beta = weights.gradient_at(f);
-      const Triangle_metric metric = metrics(mesh, f);
-      const double to_a = beta * conductance(metric, k), to_b = beta * conductance(metric, j);
+      const Triangle_coefficients of_f = coefficients(f);
+      const double to_a = beta * of_f.conductances[k], to_b = beta * of_f.conductances[j];
       const auto along_a = excess(f, i, j), along_b = excess(f, i, k);
       for(Eigen::Index channel = 0; channel < sum.size(); ++channel)
         sum[channel] -= to_a * along_a[channel] + to_b * along_b[channel];
     }
   };
-  for_each_unknown(parallel, unknowns, [&](int v, int row) {
+  for_each_unknown(parallel, unknowns, mesh, metrics, [&](int v, int row, const Block_coefficients& coefficients) {
     if(residual.cols() == 3) // the compiler unrolls what it knows the length of
     {
       Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-      sum_at(v, sum);
+      sum_at(v, coefficients, sum);
       residual.row(row) = sum;
     }
     else
     {
       auto sum = residual.row(row);
       sum.setZero();
-      sum_at(v, sum);
+      sum_at(v, coefficients, sum);
     }
   });
 }
