@@ -293,7 +293,7 @@ public:
     if(const Error_code code = ready())
       return code;
     internal::Stage_scope stage(*m_progress, Stage::METRIC);
-    std::vector<Triangle_metric> metrics(m_elements.faces.size());
+    internal::Untouched_vector<Triangle_metric> metrics(m_elements.faces.size());
     const double factor = 1 / (m_system.mesh.unit() * m_system.mesh.unit());
     for(std::size_t f = 0; f < metrics.size(); ++f)
     {
@@ -743,7 +743,7 @@ private:
     if(const Error_code code = ready())
       return code;
     internal::Stage_scope stage(*m_progress, Stage::METRIC);
-    std::vector<Triangle_metric> metrics;
+    internal::Untouched_vector<Triangle_metric> metrics;
     const Error_code code = internal::stretched_metrics(m_system.mesh, curvatures, stretch, m_system.parallel, metrics);
     if(code == OK)
       m_system.set_metrics(std::move(metrics));

@@ -136,7 +136,7 @@ private:
   void prepare_positions(const Noise_estimate& noise)
   {
     auto& system = m_solver.system();
-    system.set_metrics(std::vector<Triangle_metric>(m_mesh.triangles.size(), Triangle_metric::equilateral()));
+    system.set_metrics(Untouched_vector<Triangle_metric>(m_mesh.triangles.size(), Triangle_metric::equilateral()));
     Weights weights;
     weights.value = m_options.value_weight;
     weights.gradient = 1;

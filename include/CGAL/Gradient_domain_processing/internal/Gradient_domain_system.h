@@ -50,13 +50,13 @@ public:
   const Unknowns& unknowns() const { return m_unknowns; }
   bool is_analyzed() const { return m_is_analyzed; }
 
-  void set_metrics(std::vector<Triangle_metric> metrics)
+  void set_metrics(Untouched_vector<Triangle_metric> metrics)
   {
     m_metrics.given = std::move(metrics);
     m_is_factorized = false;
   }
 
-  void set_embedding_metric() { set_metrics(std::vector<Triangle_metric>()); }
+  void set_embedding_metric() { set_metrics({}); }
 
   void set_weights(const Weights& weights)
   {

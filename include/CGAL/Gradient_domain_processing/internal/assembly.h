@@ -8,6 +8,7 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ASSEMBLY_H
 
 #include <CGAL/Gradient_domain_processing/internal/Mesh_arrays.h>
+#include <CGAL/Gradient_domain_processing/internal/Untouched_vector.h>
 #include <CGAL/Gradient_domain_processing/internal/parallel_blocks.h>
 #include <CGAL/Gradient_domain_processing/internal/parallel_for.h>
 
@@ -28,7 +29,7 @@ typedef Eigen::SparseMatrix<double> Sparse_matrix;
 // The metric of every face. That of the embedding is computed when asked for: it costs no more than to be read, and no memory.
 struct Face_metrics
 {
-  std::vector<Triangle_metric> given; // none: the embedding
+  Untouched_vector<Triangle_metric> given; // none: the embedding
 
   Triangle_metric operator()(const Mesh_arrays& mesh, int f) const
   {

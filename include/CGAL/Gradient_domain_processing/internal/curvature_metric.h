@@ -56,7 +56,7 @@ inline bool is_valid_stretch(const std::pair<double, double>& s)
 // mean nothing and the metric is a multiple of the embedding's.
 template <class Stretch>
 Error_code stretched_metrics(const Mesh_arrays& mesh, const std::vector<Principal_curvatures>& curvatures,
-                             const Stretch& stretch, bool parallel, std::vector<Triangle_metric>& metrics)
+                             const Stretch& stretch, bool parallel, Untouched_vector<Triangle_metric>& metrics)
 {
   metrics.resize(mesh.number_of_triangles());
   std::atomic<bool> is_valid(true);
