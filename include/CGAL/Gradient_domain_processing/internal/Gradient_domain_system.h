@@ -233,9 +233,10 @@ private:
       double weight = 0;
       for(const int* c = mesh.corners.begin(v); c != mesh.corners.end(v); ++c)
       {
-        const Row_entries values = row_entries(mesh, m_metrics, value_weights, *c);
+        const Triangle_coefficients coefficients = triangle_coefficients(metric(*c / 3));
+        const Row_entries values = row_entries(mesh, coefficients, value_weights, *c);
         weight += values.vv + values.va + values.vb;
-        if(row_entries(mesh, m_metrics, m_weights, *c).vv != 0)
+        if(row_entries(mesh, coefficients, m_weights, *c).vv != 0)
           is_at_rest[v] = 0;
       }
       const int component = components.of_vertex[v];

@@ -133,11 +133,6 @@ inline Row_entries row_entries(const Mesh_arrays& mesh, const Triangle_coefficie
           w / 120 * (2 * at_v + at_a + 2 * at_b) - to_b};
 }
 
-inline Row_entries row_entries(const Mesh_arrays& mesh, const Face_metrics& metrics, const Weights& weights, int corner)
-{
-  return row_entries(mesh, triangle_coefficients(metrics(mesh, corner / 3)), weights, corner);
-}
-
 // Which vertices are solved for, and in which order.
 struct Unknowns
 {
@@ -236,16 +231,13 @@ inline bool assemble(const Mesh_arrays& mesh, const Face_metrics& metrics, const
       const Row_entries entries = row_entries(mesh, coefficients(*c / 3), weights, *c);
       const auto others = mesh.opposite_vertices(*c);
       diagonal += entries.vv;
-      add(j, entries.vv);
       add(unknowns.column[others[0]], entries.va);
       add(unknowns.column[others[1]], entries.vb);
     }
+    // in a system to be solved, a vertex that nothing acts on stays where it is
+    add(j, is_system && diagonal == 0 ? 1. : diagonal);
     if(sum < 1e-9 * diagonal)
       values_weigh_little.store(true, std::memory_order_relaxed);
-    // in a system to be solved, a vertex that nothing acts on stays where it is
-    for(int at = first; at < last; ++at)
-      if(is_system && rows[at] == j && values[at] == 0)
-        values[at] = 1;
   });
   return values_weigh_little;
 }
@@ -289,10 +281,10 @@ inline void move_to_right_hand_side(const Mesh_arrays& mesh, const Face_metrics&
                                     const Weights& weights, const Unknowns& unknowns, const Signal& displacement,
                                     bool parallel, Eigen::MatrixXd& residual)
 {
-  for_each_unknown(parallel, unknowns, [&](int v, int row) {
+  for_each_unknown(parallel, unknowns, mesh, metrics, [&](int v, int row, const Block_coefficients& coefficients) {
     for(const int* c = mesh.corners.begin(v); c != mesh.corners.end(v); ++c)
     {
-      const Row_entries entries = row_entries(mesh, metrics, weights, *c);
+      const Row_entries entries = row_entries(mesh, coefficients(*c / 3), weights, *c);
       const auto others = mesh.opposite_vertices(*c);
       if(unknowns.column[others[0]] < 0)
         residual.row(row) -= entries.va * displacement.row(others[0]);

@@ -82,29 +82,26 @@ Error_code read_faces(const TriangleMesh& tm, const Vertex_to_int& vertex_to_int
   border_edges.resize(elements.faces.size());
   // in steps: within one, no access to memory waits for another
   constexpr std::size_t block_size = 256;
-  for_each_block(parallel, elements.faces.size(), 16 * block_size, [&](std::size_t begin, std::size_t end) {
+  for_each_block(parallel, elements.faces.size(), block_size, [&](std::size_t begin, std::size_t end) {
     std::array<halfedge_descriptor, block_size> first, second, third;
-    for(; begin < end; begin += block_size)
+    const std::size_t size = end - begin;
+    for(std::size_t k = 0; k < size; ++k)
+      first[k] = halfedge(elements.faces[begin + k], tm);
+    for(std::size_t k = 0; k < size; ++k)
+      second[k] = next(first[k], tm);
+    for(std::size_t k = 0; k < size; ++k)
+      third[k] = next(second[k], tm);
+    for(std::size_t k = 0; k < size; ++k)
     {
-      const std::size_t size = (std::min)(block_size, end - begin);
-      for(std::size_t k = 0; k < size; ++k)
-        first[k] = halfedge(elements.faces[begin + k], tm);
-      for(std::size_t k = 0; k < size; ++k)
-        second[k] = next(first[k], tm);
-      for(std::size_t k = 0; k < size; ++k)
-        third[k] = next(second[k], tm);
-      for(std::size_t k = 0; k < size; ++k)
+      if(next(third[k], tm) != first[k] || third[k] == first[k] || second[k] == first[k])
       {
-        if(next(third[k], tm) != first[k] || third[k] == first[k] || second[k] == first[k])
-        {
-          mesh.triangles[begin + k] = not_a_triangle;
-          continue;
-        }
-        const int source = vertex_to_int(target(third[k], tm)), middle = vertex_to_int(target(first[k], tm));
-        mesh.triangles[begin + k] = {{source, middle, vertex_to_int(target(second[k], tm))}};
-        const auto is_on_border = [&](halfedge_descriptor h) { return is_border(opposite(h, tm), tm); };
-        border_edges[begin + k] = char(is_on_border(first[k]) + 2 * is_on_border(second[k]) + 4 * is_on_border(third[k]));
+        mesh.triangles[begin + k] = not_a_triangle;
+        continue;
       }
+      const int source = vertex_to_int(target(third[k], tm)), middle = vertex_to_int(target(first[k], tm));
+      mesh.triangles[begin + k] = {{source, middle, vertex_to_int(target(second[k], tm))}};
+      const auto is_on_border = [&](halfedge_descriptor h) { return is_border(opposite(h, tm), tm); };
+      border_edges[begin + k] = char(is_on_border(first[k]) + 2 * is_on_border(second[k]) + 4 * is_on_border(third[k]));
     }
   });
   const auto bad = std::find(mesh.triangles.begin(), mesh.triangles.end(), not_a_triangle);
