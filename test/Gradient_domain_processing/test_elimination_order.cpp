@@ -9,7 +9,7 @@
 #include "test_shapes.h"
 #include "test_utils.h"
 
-#include <CGAL/Gradient_domain_processing/internal/elimination_order.h>
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/ordering/elimination_order.h>
 
 #include <algorithm>
 #include <iostream>

@@ -8,9 +8,9 @@
 
 #include "test_utils.h"
 
-#include <CGAL/Gradient_domain_processing/internal/face_curvature.h>
-#include <CGAL/Gradient_domain_processing/internal/jet_curvature.h>
-#include <CGAL/Gradient_domain_processing/internal/normal_curvature.h>
+#include <CGAL/Gradient_domain_processing/internal/curvature/face_curvature.h>
+#include <CGAL/Gradient_domain_processing/internal/curvature/jet_curvature.h>
+#include <CGAL/Gradient_domain_processing/internal/curvature/normal_curvature.h>
 
 #include <Eigen/Eigenvalues>
 

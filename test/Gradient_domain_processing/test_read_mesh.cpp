@@ -9,7 +9,7 @@
 #include "test_shapes.h"
 #include "test_utils.h"
 
-#include <CGAL/Gradient_domain_processing/internal/read_mesh.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/read_mesh.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 

@@ -6,7 +6,7 @@
 
 #include "filter_mesh_impl.h"
 
-#include <CGAL/Gradient_domain_processing/internal/memory_estimate.h>
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/memory_estimate.h>
 
 CGAL::Gradient_domain_processing::Error_code filter_mesh(const Options& options, Mesh_file& file, Stage_clock& clock, Solver_facts& facts)
 {

@@ -7,9 +7,9 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_CONJUGATE_GRADIENT_SOLVER_TRAITS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_CONJUGATE_GRADIENT_SOLVER_TRAITS_H
 
-#include <CGAL/Gradient_domain_processing/internal/Conjugate_gradient.h>
-#include <CGAL/Gradient_domain_processing/internal/Linear_solver.h>
-#include <CGAL/Gradient_domain_processing/internal/parallel_for.h>
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/multigrid/Conjugate_gradient.h>
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/Linear_solver.h>
+#include <CGAL/Gradient_domain_processing/internal/parallel/parallel_for.h>
 
 #include <CGAL/Eigen_matrix.h>
 #include <CGAL/Eigen_vector.h>

@@ -13,10 +13,10 @@
 #include <CGAL/Gradient_domain_processing/enum.h>
 #include <CGAL/Gradient_domain_processing/parameters.h>
 #include <CGAL/Gradient_domain_processing/visitor.h>
-#include <CGAL/Gradient_domain_processing/internal/border.h>
-#include <CGAL/Gradient_domain_processing/internal/curvature_metric.h>
-#include <CGAL/Gradient_domain_processing/internal/read_mesh.h>
-#include <CGAL/Gradient_domain_processing/internal/volume.h>
+#include <CGAL/Gradient_domain_processing/internal/energy/border_energy.h>
+#include <CGAL/Gradient_domain_processing/internal/metric/curvature_metric.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/read_mesh.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/restore_volumes.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 
@@ -65,7 +65,7 @@ public:
 
 private:
   internal::Mesh_elements<TriangleMesh> m_elements;
-  internal::Gradient_domain_system<SparseLinearSolver> m_system;
+  internal::Linear_system<SparseLinearSolver> m_system;
   std::shared_ptr<internal::Mesh_progress<TriangleMesh> > m_progress;
   double m_squared_length_unit = 1; // weights times it are in units of the arrays
   Border_condition m_border_condition = Border_condition::FREE;
@@ -388,7 +388,7 @@ public:
     internal::Signal signal;
     if(const Error_code code = read_signal(in, signal))
       return code;
-    const internal::Mesh_arrays& mesh = m_system.mesh;
+    const internal::Indexed_triangles& mesh = m_system.mesh;
     const int channels = int(signal.cols());
 
     // the target integrated along the edges from the first corner of every triangle to all three
@@ -426,7 +426,7 @@ public:
   /// \cond SKIP_IN_MANUAL
   // For the functions of this package, which work on the arrays.
 
-  internal::Gradient_domain_system<SparseLinearSolver>& system() { return m_system; }
+  internal::Linear_system<SparseLinearSolver>& system() { return m_system; }
   const internal::Mesh_elements<TriangleMesh>& elements() const { return m_elements; }
   internal::Progress& progress() { return *m_progress; }
 

@@ -7,9 +7,9 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_DENOISE_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_DENOISE_H
 
-#include <CGAL/Gradient_domain_processing/internal/Face_system.h>
-#include <CGAL/Gradient_domain_processing/internal/Noise_estimate.h>
-#include <CGAL/Gradient_domain_processing/internal/filter_positions.h>
+#include <CGAL/Gradient_domain_processing/internal/denoising/Face_system.h>
+#include <CGAL/Gradient_domain_processing/internal/denoising/Noise_estimate.h>
+#include <CGAL/Gradient_domain_processing/internal/filtering/filter_positions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -72,7 +72,7 @@ class Denoiser
   Solver& m_solver;
   FaceSystem& m_face_system;
   Denoising_options m_options;
-  Mesh_arrays& m_mesh;
+  Indexed_triangles& m_mesh;
   bool m_parallel;
   Signal m_input;
   std::vector<Vec3> m_face_normals;

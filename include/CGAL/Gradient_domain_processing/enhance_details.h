@@ -7,7 +7,7 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_ENHANCE_DETAILS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_ENHANCE_DETAILS_H
 
-#include <CGAL/Gradient_domain_processing/internal/filter_positions.h>
+#include <CGAL/Gradient_domain_processing/internal/filtering/filter_positions.h>
 
 namespace CGAL {
 namespace Gradient_domain_processing {

@@ -7,7 +7,7 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_FIT_TO_NORMALS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_FIT_TO_NORMALS_H
 
-#include <CGAL/Gradient_domain_processing/internal/filter_positions.h>
+#include <CGAL/Gradient_domain_processing/internal/filtering/filter_positions.h>
 
 #include <vector>
 
@@ -37,7 +37,7 @@ Error_code fit_to_normals(Solver solver, TriangleMesh& tm, VertexNormalMap norma
       return code;
 
     // edges shall be orthogonal to the normals at their ends: what of them is not, is too much
-    const Mesh_arrays& mesh = solver.system().mesh;
+    const Indexed_triangles& mesh = solver.system().mesh;
     const auto excess = [&](int f, int i, int j) -> Vec3 {
       const int v = mesh.triangles[f][i], w = mesh.triangles[f][j];
       const Vec3 n = (normals.row(v) + normals.row(w)).transpose();

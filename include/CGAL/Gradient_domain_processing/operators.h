@@ -10,8 +10,8 @@
 #include <CGAL/Gradient_domain_processing/Error_code.h>
 #include <CGAL/Gradient_domain_processing/Triangle_metric.h>
 #include <CGAL/Gradient_domain_processing/parameters.h>
-#include <CGAL/Gradient_domain_processing/internal/assembly.h>
-#include <CGAL/Gradient_domain_processing/internal/read_mesh.h>
+#include <CGAL/Gradient_domain_processing/internal/energy/assembly.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/read_mesh.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 
@@ -28,8 +28,8 @@ namespace internal {
 // A mesh whose arrays are in the order of its index maps, with its metrics, all in the unit of the mesh.
 struct Operator_input
 {
-  Mesh_arrays mesh;
-  Face_metrics metrics;
+  Indexed_triangles mesh;
+  Triangle_metrics metrics;
   std::vector<int> vertex_index; // of every vertex in the arrays
   std::vector<int> face_index;   // of every triangle
 };
@@ -56,7 +56,7 @@ Error_code read_operator_input(const TriangleMesh& tm, const NamedParameters& np
       input.metrics.given.push_back(metric.with_area_bounded_below(degeneracy_ratio));
     }
     else
-      input.metrics.given.push_back(Face_metrics()(input.mesh, int(f)).scaled(squared_unit));
+      input.metrics.given.push_back(Triangle_metrics()(input.mesh, int(f)).scaled(squared_unit));
   }
 
   const auto vertex_index_map = CGAL::get_initialized_vertex_index_map(tm, np);

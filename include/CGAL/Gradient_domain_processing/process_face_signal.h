@@ -8,7 +8,7 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_PROCESS_FACE_SIGNAL_H
 
 #include <CGAL/Gradient_domain_processing/Gradient_domain_solver.h>
-#include <CGAL/Gradient_domain_processing/internal/Face_system.h>
+#include <CGAL/Gradient_domain_processing/internal/denoising/Face_system.h>
 
 #include <cmath>
 #include <type_traits>
@@ -75,7 +75,7 @@ Error_code process_face_signal(const TriangleMesh& tm, InMap in, OutMap out, con
   auto solver = make_gradient_domain_solver(tm, parameters::with(np).curvature_metric_kind(Curvature_metric_kind::EMBEDDING));
   if(solver.error() != OK)
     return solver.error();
-  const internal::Mesh_arrays& mesh = solver.system().mesh;
+  const internal::Indexed_triangles& mesh = solver.system().mesh;
   const internal::Weights& weights = solver.system().weights();
   const auto& faces = solver.elements().faces;
   if(weights.value == 0)

@@ -19,7 +19,7 @@ namespace Gradient_domain_processing {
 namespace internal {
 
 // The gradient of every channel on a triangle, as columns.
-inline Eigen::Matrix<double, 3, Eigen::Dynamic> gradient(const Mesh_arrays& mesh, const Signal& signal, int f)
+inline Eigen::Matrix<double, 3, Eigen::Dynamic> gradient(const Indexed_triangles& mesh, const Signal& signal, int f)
 {
   const auto& t = mesh.triangles[f];
   Eigen::Matrix<double, 3, 2> edges;
@@ -33,7 +33,7 @@ inline Eigen::Matrix<double, 3, Eigen::Dynamic> gradient(const Mesh_arrays& mesh
 
 // Marks the triangles across which the signals of two patches disagree. Along a whole seam between two patches, the gradients
 // across it are compared with those of the triangles beside it; where the signals go on smoothly there is nothing to stitch.
-inline std::vector<char> find_seams(const Mesh_arrays& mesh, const std::vector<int>& patch, const Signal& signal)
+inline std::vector<char> find_seams(const Indexed_triangles& mesh, const std::vector<int>& patch, const Signal& signal)
 {
   const int n = mesh.number_of_triangles();
   const auto is_inside = [&](int f) {
@@ -89,7 +89,7 @@ Error_code stitch(Solver solver, VertexPatchMap patch_map, InMap in, OutMap out,
   Signal signal;
   if(const Error_code code = solver.read_signal(in, signal))
     return code;
-  const Mesh_arrays& mesh = solver.system().mesh;
+  const Indexed_triangles& mesh = solver.system().mesh;
   std::vector<int> patch;
   std::map<typename boost::property_traits<VertexPatchMap>::value_type, int> numbers;
   for(auto v : solver.elements().vertices)

@@ -1,0 +1,193 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_MULTIGRID_CONJUGATE_GRADIENT_H
+#define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_MULTIGRID_CONJUGATE_GRADIENT_H
+
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/multigrid/Aggregation_multigrid.h>
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/multigrid/Sparse_rows.h>
+#include <CGAL/Gradient_domain_processing/internal/parallel/parallel_blocks.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Gradient_domain_processing {
+namespace internal {
+
+// Conjugate gradients, preconditioned by multigrid. Several channels go through the matrix together, each with its own steps.
+class Conjugate_gradient
+{
+  static constexpr int max_channels_together = 4;
+  static constexpr std::size_t block_size = 8192;
+
+  template <int K>
+  using Channels = Eigen::Array<double, K, 1>;
+
+  Aggregation_multigrid<double> m_preconditioner;
+
+public:
+  double tolerance = 1e-10;
+  int max_iterations = 1000;
+  bool parallel = true;
+
+  int iterations = 0; // of the last solution: the most of any channel
+  double error = 0;   // likewise
+
+  // Builds the preconditioner for a symmetric matrix with both its triangles. Returns whether its diagonal is positive.
+  bool compute(const Eigen::SparseMatrix<double>& matrix)
+  {
+    return m_preconditioner.compute(rows_of(matrix), parallel);
+  }
+
+  // Returns whether all channels, the columns, converged.
+  bool solve(const Eigen::MatrixXd& right, Eigen::MatrixXd& solution)
+  {
+    iterations = 0;
+    error = 0;
+    solution.resize(right.rows(), right.cols());
+    bool has_converged = true;
+    for(int first = 0; first < right.cols(); first += max_channels_together)
+      switch((std::min)(int(right.cols()) - first, max_channels_together))
+      {
+        case 1: has_converged &= solve<1>(right, first, solution); break;
+        case 2: has_converged &= solve<2>(right, first, solution); break;
+        case 3: has_converged &= solve<3>(right, first, solution); break;
+        case 4: has_converged &= solve<4>(right, first, solution); break;
+      }
+    return has_converged;
+  }
+
+private:
+  // Symmetric: its columns are its rows.
+  static Sparse_rows<double> rows_of(const Eigen::SparseMatrix<double>& matrix)
+  {
+    Sparse_rows<double> rows;
+    rows.columns = int(matrix.rows());
+    if(!matrix.isCompressed())
+    {
+      Eigen::SparseMatrix<double> compressed = matrix;
+      compressed.makeCompressed();
+      return rows_of(compressed);
+    }
+    rows.offset.assign(matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.cols() + 1);
+    rows.column.assign(matrix.innerIndexPtr(), matrix.innerIndexPtr() + matrix.nonZeros());
+    rows.value.assign(matrix.valuePtr(), matrix.valuePtr() + matrix.nonZeros());
+    return rows;
+  }
+
+  // Starts from zero. The error is measured by |r|_B / |b|_B, where B is the preconditioner and about the inverse of A: it is that
+  // of the solution in the norm of the energy, up to the quality of B.
+  template <int K>
+  bool solve(const Eigen::MatrixXd& right, int first, Eigen::MatrixXd& solution)
+  {
+    const std::size_t n = right.rows();
+    std::vector<double> x(K * n, 0.), r(K * n), p(K * n, 0.), z(K * n);
+    for_each_row(n, [&](std::size_t i) {
+      for(int c = 0; c < K; ++c)
+        r[K * i + c] = right(i, first + c);
+    });
+
+    Channels<K> rho, step, old_rho, limit;
+    m_preconditioner.apply<K>(r, z);
+    rho = dot<K>(r, z);
+    const Channels<K> initial = rho;
+    old_rho = initial;
+    limit = tolerance * tolerance * initial;
+    bool is_sound = (rho >= 0).all() && rho.allFinite();
+    int count = 0;
+    while(is_sound && (rho > limit).any() && count < max_iterations)
+    {
+      const Channels<K> turn = count > 0 ? quotient<K>(rho, old_rho, rho > limit) : Channels<K>(Channels<K>::Zero());
+      for_each_row(n, [&](std::size_t i) {
+        for(int c = 0; c < K; ++c)
+          p[K * i + c] = z[K * i + c] + turn[c] * p[K * i + c];
+      });
+      const Channels<K> curvature = product<K>(p, z);
+      step = quotient<K>(rho, curvature, rho > limit);
+      for_each_row(n, [&](std::size_t i) {
+        for(int c = 0; c < K; ++c)
+        {
+          x[K * i + c] += step[c] * p[K * i + c];
+          r[K * i + c] -= step[c] * z[K * i + c];
+        }
+      });
+      m_preconditioner.apply<K>(r, z);
+      old_rho = rho;
+      rho = dot<K>(r, z);
+      is_sound = (rho >= 0).all() && rho.allFinite() && (curvature > 0 || old_rho <= limit).all();
+      ++count;
+    }
+
+    for_each_row(n, [&](std::size_t i) {
+      for(int c = 0; c < K; ++c)
+        solution(i, first + c) = x[K * i + c];
+    });
+    iterations = (std::max)(iterations, count);
+    for(int c = 0; c < K; ++c)
+      if(initial[c] != 0)
+        error = (std::max)(error, std::sqrt(rho[c] / initial[c]));
+    return is_sound && (rho <= limit).all();
+  }
+
+  // Channels that have converged stay where they are.
+  template <int K, class Condition>
+  static Channels<K> quotient(const Channels<K>& a, const Channels<K>& b, const Condition& is_active)
+  {
+    return is_active.select(a / b, 0.);
+  }
+
+  template <class Body>
+  void for_each_row(std::size_t n, const Body& body) const
+  {
+    for_each_block(parallel, n, block_size, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t i = begin; i < end; ++i)
+        body(i);
+    });
+  }
+
+  template <int K>
+  Channels<K> dot(const std::vector<double>& a, const std::vector<double>& b) const
+  {
+    const Channels<K> zero = Channels<K>::Zero();
+    return sum_over_blocks(parallel, a.size() / K, block_size, zero, [&](std::size_t begin, std::size_t end) {
+      Channels<K> sum = zero;
+      for(std::size_t i = begin; i < end; ++i)
+        for(int c = 0; c < K; ++c)
+          sum[c] += a[K * i + c] * b[K * i + c];
+      return sum;
+    });
+  }
+
+  // q = A p; returns p . q
+  template <int K>
+  Channels<K> product(const std::vector<double>& p, std::vector<double>& q) const
+  {
+    const Sparse_rows<double>& a = m_preconditioner.finest();
+    const Channels<K> zero = Channels<K>::Zero();
+    return sum_over_blocks(parallel, p.size() / K, block_size, zero, [&](std::size_t begin, std::size_t end) {
+      Channels<K> sum = zero;
+      for(std::size_t i = begin; i < end; ++i)
+      {
+        a.template multiply_row<K>(i, p, &q[K * i]);
+        for(int c = 0; c < K; ++c)
+          sum[c] += p[K * i + c] * q[K * i + c];
+      }
+      return sum;
+    });
+  }
+};
+
+} // namespace internal
+} // namespace Gradient_domain_processing
+} // namespace CGAL
+
+#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_MULTIGRID_CONJUGATE_GRADIENT_H

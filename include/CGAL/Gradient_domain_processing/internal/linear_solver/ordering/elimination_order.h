@@ -1,0 +1,99 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_ORDERING_ELIMINATION_ORDER_H
+#define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_ORDERING_ELIMINATION_ORDER_H
+
+#include <CGAL/Gradient_domain_processing/internal/energy/assembly.h>
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/ordering/nested_dissection.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Gradient_domain_processing {
+namespace internal {
+
+// The elimination tree of a symmetric matrix (Liu 1986): parent[j] is the row of the first entry below the diagonal in column j of the
+// Cholesky factor, -1 for a root. for_each_earlier(j, visit) visits the i < j with an entry (i, j).
+template <class For_each_earlier>
+std::vector<int> elimination_tree(int n, const For_each_earlier& for_each_earlier)
+{
+  std::vector<int> parent(n, -1), ancestor(n, -1);
+  for(int j = 0; j < n; ++j)
+    for_each_earlier(j, [&](int i) {
+      while(ancestor[i] != -1 && ancestor[i] != j)
+        i = std::exchange(ancestor[i], j);
+      if(ancestor[i] == -1)
+        ancestor[i] = parent[i] = j;
+    });
+  return parent;
+}
+
+// The nodes of a forest with parent[j] > j, every one after all below it. As an order of elimination it fills in as the order of the
+// numbers does, and columns of the factor with like entries come together: a solver need not permute the matrix for that.
+inline std::vector<int> postorder(const std::vector<int>& parent)
+{
+  const int n = int(parent.size());
+  std::vector<int> first_child(n + 1, -1), next_sibling(n, -1), order, path; // the roots are children of n
+  for(int j = n - 1; j >= 0; --j)
+    next_sibling[j] = std::exchange(first_child[parent[j] < 0 ? n : parent[j]], j);
+  order.reserve(n);
+  for(int root = first_child[n]; root != -1; root = next_sibling[root])
+  {
+    path.push_back(root);
+    while(!path.empty())
+    {
+      const int child = first_child[path.back()];
+      if(child != -1)
+      {
+        first_child[path.back()] = next_sibling[child];
+        path.push_back(child);
+      }
+      else
+      {
+        order.push_back(path.back());
+        path.pop_back();
+      }
+    }
+  }
+  return order;
+}
+
+inline Unknowns numbered(const std::vector<int>& order, std::size_t number_of_vertices)
+{
+  Unknowns unknowns;
+  unknowns.vertex = order;
+  unknowns.column.assign(number_of_vertices, -1);
+  for(int column = 0; column < unknowns.size(); ++column)
+    unknowns.column[order[column]] = column;
+  return unknowns;
+}
+
+// The vertices of a graph that are solved for, in the order in which they are eliminated.
+template <class Is_unknown>
+Unknowns order_unknowns(const std::vector<Vec3>& points, const Lists& graph, const Is_unknown& is_unknown, bool parallel)
+{
+  std::vector<int> order = parallel ? nested_dissection<Parallel_tag>(points, graph.offsets, graph.items)
+                                    : nested_dissection<Sequential_tag>(points, graph.offsets, graph.items);
+  order.erase(std::remove_if(order.begin(), order.end(), [&](int v) { return !is_unknown(v); }), order.end());
+  const std::vector<int> column = numbered(order, points.size()).column;
+  std::vector<int> result = postorder(elimination_tree(int(order.size()), [&](int j, const auto& visit) {
+    for(const int* w = graph.begin(order[j]); w != graph.end(order[j]); ++w)
+      if(column[*w] >= 0 && column[*w] < j)
+        visit(column[*w]);
+  }));
+  for(int& j : result)
+    j = order[j];
+  return numbered(result, points.size());
+}
+
+} // namespace internal
+} // namespace Gradient_domain_processing
+} // namespace CGAL
+
+#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_ORDERING_ELIMINATION_ORDER_H
