@@ -8,15 +8,16 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_INDEXED_TRIANGLES_H
 
 #include <CGAL/Gradient_domain_processing/Triangle_metric.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/Lists.h>
 #include <CGAL/Gradient_domain_processing/internal/parallel/parallel_blocks.h>
 #include <CGAL/Gradient_domain_processing/internal/parallel/parallel_for.h>
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -32,46 +33,44 @@ constexpr double degeneracy_ratio = 1.5e-8;
 // One row a vertex, one column a channel of the signal; a vertex's channels lie together.
 typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> Signal;
 
-// A list of lists of numbers, end to end.
-struct Lists
+// Vertices in the middle of polygons. Each is a weighted mean of the polygon's corners, in space as in every signal.
+struct Virtual_vertices
 {
-  std::vector<int> offsets; // size + 1
-  std::vector<int> items;
+  Lists corners;               // rows of signals
+  std::vector<double> weights; // of each corner; they sum up to one
 
-  int size() const { return static_cast<int>(offsets.size()) - 1; }
-  const int* begin(int i) const { return items.data() + offsets[i]; }
-  const int* end(int i) const { return items.data() + offsets[i + 1]; }
-  int size(int i) const { return offsets[i + 1] - offsets[i]; }
+  int size() const { return corners.offsets.empty() ? 0 : corners.size(); }
 };
 
-// The items of every key, in the order in which for_each_pair(visit) calls visit(key, item). Counting sort.
-template <class For_each_pair>
-Lists items_by_key(int number_of_keys, const For_each_pair& for_each_pair)
-{
-  Lists lists;
-  lists.offsets.assign(number_of_keys + 1, 0);
-  for_each_pair([&](int key, int) { ++lists.offsets[key + 1]; });
-  std::partial_sum(lists.offsets.begin(), lists.offsets.end(), lists.offsets.begin());
-  lists.items.resize(lists.offsets.back());
-  std::vector<int> next(lists.offsets.begin(), lists.offsets.end() - 1);
-  for_each_pair([&](int key, int item) { lists.items[next[key]++] = item; });
-  return lists;
-}
-
-// The mesh, or the region of it that is worked on, as arrays. Points are multiplied by a power of two that brings the extent
-// near one: no product over- or underflows, and not a bit is lost. Vertices are in an order of our own, triangles in that of their
-// lowest vertices.
+// The surface, or the region of it that is worked on: points and index triples, a soup with any number of triangles at an edge.
+// Points are multiplied by a power of two that brings the extent near one: no product over- or underflows, and not a bit is lost.
+// Vertices are in an order of our own, triangles in that of their lowest vertices.
+//
+// Signals have a row for every vertex of the surface. Where several of these are welded, they are one vertex here, with several
+// rows. Polygons are fans around virtual vertices, whose vertices and rows are the last.
 struct Indexed_triangles
 {
   std::vector<Vec3> points;
-  std::vector<std::array<int, 3> > triangles; // source and target of halfedge(f), target of the next
-  Lists corners;                              // of every vertex: 3 * triangle + position in it, by increasing triangle
-  std::vector<char> is_on_border;             // of the mesh
-  int exponent = 0;                           // a length in the arrays is the true one times 2^-exponent
+  std::vector<std::array<int, 3> > triangles;
+  Lists corners;                  // of every vertex: 3 * triangle + position in it, by increasing triangle
+  std::vector<char> is_on_border; // by vertex: at an edge of one triangle
+  int exponent = 0;               // a length in the arrays is the true one times 2^-exponent
+
+  std::vector<int> vertex_of_row;             // none: row v is that of vertex v
+  std::vector<std::array<int, 3> > rows;      // of the triangles' corners; none: their vertices
+  std::vector<int> face_of_triangle;          // of the surface; none: triangle f is face f
+  Virtual_vertices virtual_vertices;
 
   int number_of_vertices() const { return static_cast<int>(points.size()); }
   int number_of_triangles() const { return static_cast<int>(triangles.size()); }
+  int number_of_rows() const { return vertex_of_row.empty() ? number_of_vertices() : static_cast<int>(vertex_of_row.size()); }
+  int number_of_surface_vertices() const { return number_of_rows() - virtual_vertices.size(); }
+  int first_virtual_vertex() const { return number_of_vertices() - virtual_vertices.size(); }
   double unit() const { return std::ldexp(1., exponent); }
+
+  int vertex_of(int row) const { return vertex_of_row.empty() ? row : vertex_of_row[row]; }
+  const std::array<int, 3>& rows_of(int f) const { return rows.empty() ? triangles[f] : rows[f]; }
+  int face_of(int f) const { return face_of_triangle.empty() ? f : face_of_triangle[f]; }
 
   Triangle_metric embedding_metric(int f) const
   {
@@ -104,6 +103,13 @@ struct Indexed_triangles
     const auto& t = triangles[corner / 3];
     const int i = corner % 3;
     return {{t[(i + 1) % 3], t[(i + 2) % 3]}};
+  }
+
+  // Twice the area times the normal.
+  Vec3 area_vector(int f) const
+  {
+    const auto& t = triangles[f];
+    return (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]);
   }
 
   // The neighbors of every vertex.
@@ -144,16 +150,18 @@ struct Indexed_triangles
     parallel_for(parallel, points.size(), [&](std::size_t v) {
       Vec3 sum(0, 0, 0);
       for(const int* c = corners.begin(int(v)); c != corners.end(int(v)); ++c)
-      {
-        const auto& t = triangles[*c / 3];
-        sum += (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]);
-      }
+        sum += area_vector(*c / 3);
       const double length = sum.norm();
       normals[v] = length > 0 ? Vec3(sum / length) : Vec3(0, 0, 0);
     });
     return normals;
   }
 };
+
+inline Signal as_signal(const std::vector<Vec3>& vectors)
+{
+  return Eigen::Map<const Signal>(vectors.empty() ? nullptr : vectors[0].data(), Eigen::Index(vectors.size()), 3);
+}
 
 } // namespace internal
 } // namespace Gradient_domain_processing

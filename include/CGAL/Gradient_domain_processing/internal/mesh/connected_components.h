@@ -7,6 +7,7 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_CONNECTED_COMPONENTS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_CONNECTED_COMPONENTS_H
 
+#include <CGAL/Gradient_domain_processing/internal/mesh/Disjoint_sets.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/Indexed_triangles.h>
 
 #include <vector>
@@ -15,7 +16,7 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// The connected component of every vertex.
+// The connected component of every vertex, numbered by their lowest vertices.
 struct Components
 {
   std::vector<int> of_vertex;
@@ -24,28 +25,22 @@ struct Components
 
 inline Components connected_components(const Indexed_triangles& mesh)
 {
-  Components components;
-  components.of_vertex.assign(mesh.number_of_vertices(), -1);
-  std::vector<int> stack;
-  for(int seed = 0; seed < mesh.number_of_vertices(); ++seed)
+  const int n = mesh.number_of_vertices();
+  Disjoint_sets sets(n);
+  for(const auto& t : mesh.triangles)
   {
-    if(components.of_vertex[seed] >= 0)
-      continue;
-    stack.assign(1, seed);
-    components.of_vertex[seed] = components.count;
-    while(!stack.empty())
-    {
-      const int v = stack.back();
-      stack.pop_back();
-      for(const int* c = mesh.corners.begin(v); c != mesh.corners.end(v); ++c)
-        for(int w : mesh.opposite_vertices(*c))
-          if(components.of_vertex[w] < 0)
-          {
-            components.of_vertex[w] = components.count;
-            stack.push_back(w);
-          }
-    }
-    ++components.count;
+    sets.join(t[0], t[1]);
+    sets.join(t[0], t[2]);
+  }
+  Components components;
+  components.of_vertex.resize(n);
+  std::vector<int> number(n, -1);
+  for(int v = 0; v < n; ++v)
+  {
+    int& of_root = number[sets.root(v)];
+    if(of_root < 0)
+      of_root = components.count++;
+    components.of_vertex[v] = of_root;
   }
   return components;
 }

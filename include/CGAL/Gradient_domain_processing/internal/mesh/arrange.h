@@ -1,0 +1,101 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_ARRANGE_H
+#define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_ARRANGE_H
+
+#include <CGAL/Gradient_domain_processing/Error_code.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/Surface_elements.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/border_edges.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/memory_order.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/points.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/polygon_fans.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/weld.h>
+
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace Gradient_domain_processing {
+namespace internal {
+
+// What is asked for when a surface is read, and what is said of it.
+struct Reading
+{
+  bool parallel = true;
+  bool welds = false;
+  double weld_tolerance = 0; // relative to the extent
+  int number_of_welded_vertices = 0;
+  Culprit culprit;
+};
+
+// Reads the points of the vertices; what is not a point is remembered, for no face may use it.
+template <class Vertices, class Get_point>
+std::vector<char> read_points(const Vertices& vertices, const Get_point& point, Indexed_triangles& mesh)
+{
+  std::vector<char> is_bad;
+  mesh.points.reserve(vertices.size());
+  for(const auto& v : vertices)
+  {
+    mesh.points.push_back(to_vec3(point(v)));
+    if(!is_valid_point(mesh.points.back()))
+    {
+      is_bad.resize(vertices.size(), 0);
+      is_bad[mesh.points.size() - 1] = 1;
+      mesh.points.back().setZero();
+    }
+  }
+  normalize_extent(mesh);
+  return is_bad;
+}
+
+// Triangles or polygons are given by rows. Virtual vertices, welded seams, order in memory, corners.
+template <class Faces>
+void arrange(Reading& reading, Faces& faces, const Lists& polygons, Indexed_triangles& mesh)
+{
+  if(!polygons.offsets.empty())
+    fan_polygons(polygons, mesh);
+  if(reading.welds)
+  {
+    mesh.index_corners();
+    mark_border(mesh, reading.parallel);
+    reading.number_of_welded_vertices = weld_border(reading.weld_tolerance, mesh);
+  }
+  sort_triangles(reading.parallel, faces, mesh);
+  mesh.index_corners();
+  mark_border(mesh, reading.parallel);
+}
+
+// Whether a face uses a vertex whose point is none.
+inline Error_code check_points(const std::vector<char>& is_bad, Reading& reading, const Indexed_triangles& mesh)
+{
+  for(int f = 0; f < mesh.number_of_triangles() && !is_bad.empty(); ++f)
+    for(int row : mesh.rows_of(f))
+      if(row < int(is_bad.size()) && is_bad[row])
+      {
+        reading.culprit.row = row;
+        return error_invalid_point;
+      }
+  return ok;
+}
+
+inline double polygon_area(const std::vector<Vec3>& polygon)
+{
+  Indexed_triangles fan;
+  fan.points = polygon;
+  Lists corners;
+  corners.offsets = {0, int(polygon.size())};
+  for(int i = 0; i < int(polygon.size()); ++i)
+    corners.items.push_back(i);
+  fan_polygons(corners, fan);
+  return fan.area(false);
+}
+
+} // namespace internal
+} // namespace Gradient_domain_processing
+} // namespace CGAL
+
+#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_ARRANGE_H

@@ -1,0 +1,70 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_BORDER_EDGES_H
+#define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_BORDER_EDGES_H
+
+#include <CGAL/Gradient_domain_processing/internal/mesh/Indexed_triangles.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Gradient_domain_processing {
+namespace internal {
+
+// An edge with one triangle, from one corner of it to the next.
+struct Border_edge
+{
+  int triangle, from, to; // corners
+};
+
+// How many corners at the vertex belong to triangles with the edge to `other`.
+inline int number_of_triangles_at_edge(const Indexed_triangles& mesh, int vertex, int other)
+{
+  int count = 0;
+  for(const int* c = mesh.corners.begin(vertex); c != mesh.corners.end(vertex); ++c)
+  {
+    const auto ends = mesh.opposite_vertices(*c);
+    count += (ends[0] == other) + (ends[1] == other);
+  }
+  return count;
+}
+
+// visit(corner) for every corner from which a border edge leaves in the orientation of its triangle.
+template <class Visit>
+void for_each_border_corner(const Indexed_triangles& mesh, int vertex, const Visit& visit)
+{
+  for(const int* c = mesh.corners.begin(vertex); c != mesh.corners.end(vertex); ++c)
+    if(number_of_triangles_at_edge(mesh, vertex, mesh.opposite_vertices(*c)[0]) == 1)
+      visit(*c);
+}
+
+inline std::vector<Border_edge> border_edges(const Indexed_triangles& mesh)
+{
+  std::vector<Border_edge> edges;
+  for(int v = 0; v < mesh.number_of_vertices(); ++v)
+    if(mesh.is_on_border[v])
+      for_each_border_corner(mesh, v, [&](int c) { edges.push_back({c / 3, c % 3, (c % 3 + 1) % 3}); });
+  return edges;
+}
+
+// A vertex is on the border if an edge of one triangle leaves it or arrives at it.
+inline void mark_border(Indexed_triangles& mesh, bool parallel)
+{
+  mesh.is_on_border.assign(mesh.points.size(), 0);
+  parallel_for(parallel, mesh.points.size(), [&](std::size_t v) {
+    for(const int* c = mesh.corners.begin(int(v)); c != mesh.corners.end(int(v)) && !mesh.is_on_border[v]; ++c)
+      for(int w : mesh.opposite_vertices(*c))
+        if(number_of_triangles_at_edge(mesh, int(v), w) == 1)
+          mesh.is_on_border[v] = 1;
+  });
+}
+
+} // namespace internal
+} // namespace Gradient_domain_processing
+} // namespace CGAL
+
+#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_BORDER_EDGES_H
