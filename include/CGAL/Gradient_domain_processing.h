@@ -10,12 +10,13 @@
 /// \file Gradient_domain_processing.h
 /// Includes all of the package.
 
+#include <CGAL/Gradient_domain_processing/curvature_metric.h>
 #include <CGAL/Gradient_domain_processing/denoise.h>
+#include <CGAL/Gradient_domain_processing/embedding_metric.h>
 #include <CGAL/Gradient_domain_processing/enhance_details.h>
 #include <CGAL/Gradient_domain_processing/estimate_curvatures.h>
 #include <CGAL/Gradient_domain_processing/fit_to_gradients.h>
 #include <CGAL/Gradient_domain_processing/fit_to_normals.h>
-#include <CGAL/Gradient_domain_processing/metrics.h>
 #include <CGAL/Gradient_domain_processing/operators.h>
 #include <CGAL/Gradient_domain_processing/process_face_signal.h>
 #include <CGAL/Gradient_domain_processing/process_signal.h>

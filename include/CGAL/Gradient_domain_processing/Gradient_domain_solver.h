@@ -7,23 +7,23 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_GRADIENT_DOMAIN_SOLVER_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_GRADIENT_DOMAIN_SOLVER_H
 
+#include <CGAL/Gradient_domain_processing/Default_sparse_linear_solver.h>
 #include <CGAL/Gradient_domain_processing/Error_code.h>
 #include <CGAL/Gradient_domain_processing/Signal_traits.h>
 #include <CGAL/Gradient_domain_processing/Triangle_metric.h>
 #include <CGAL/Gradient_domain_processing/enum.h>
 #include <CGAL/Gradient_domain_processing/parameters.h>
 #include <CGAL/Gradient_domain_processing/visitor.h>
-#include <CGAL/Gradient_domain_processing/internal/energy/border_energy.h>
-#include <CGAL/Gradient_domain_processing/internal/metric/curvature_metric.h>
-#include <CGAL/Gradient_domain_processing/internal/mesh/read_mesh.h>
-#include <CGAL/Gradient_domain_processing/internal/mesh/restore_volumes.h>
+#include <CGAL/Gradient_domain_processing/internal/filtering/read_parameters.h>
+#include <CGAL/Gradient_domain_processing/internal/filtering/filter_signal.h>
+#include <CGAL/Gradient_domain_processing/internal/filtering/fit_gradients.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/point_map.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/read_graph.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/read_soup.h>
 
-#include <CGAL/boost/graph/named_params_helper.h>
-
-#include <algorithm>
-#include <cmath>
 #include <memory>
-#include <type_traits>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -39,14 +39,18 @@ namespace Gradient_domain_processing {
  * (paper, equations 1 and 2, and section 2.2). Every function of this package is made of it.
  *
  * Mesh, weights and metric are copied on construction; later changes of the mesh are not seen. What is computed is kept:
- * - the order of the unknowns, the sparsity pattern and the symbolic factorization: once;
+ * - the order of the degrees of freedom, the sparsity pattern and the symbolic factorization: once for the constrained vertices;
  * - the numeric factorization: once for every metric, \f$ \alpha \f$ and \f$ \beta \f$, when it is first needed;
  * - a new \f$ \lambda \f$, signal or target costs one right-hand side and one back-substitution for all channels.
  *
  * The solution is found as the change \f$ g - f \f$ of the signal: a signal that need not change does not, and rounding errors
- * are relative to the change. Vertices without a face keep their values.
+ * are relative to the change. Vertices without a face keep their values, whatever these are.
  *
- * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * A solver can be moved, not copied: a factorization has one owner. Where two are given copies of one linear solver that share a state,
+ * each notices that the other has replaced its factor, and makes it again.
+ *
+ * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`; faces that are not triangles take part through a virtual vertex
+ *         inside of them. For soups, see `make_gradient_domain_solver()`.
  * \tparam SparseLinearSolver a model of `SparseLinearAlgebraWithFactorTraits_d`. For an `Eigen_solver_traits` the
  *         symbolic analysis is kept and all channels are solved together.
  *
@@ -56,22 +60,20 @@ namespace Gradient_domain_processing {
 template <class TriangleMesh, class SparseLinearSolver = Default_sparse_linear_solver>
 class Gradient_domain_solver
 {
-  typedef boost::graph_traits<TriangleMesh> Graph_traits;
-  typedef internal::Vec3 Vec3;
+  typedef internal::Surface_traits<TriangleMesh> Surface_traits;
 
 public:
-  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
-  typedef typename Graph_traits::face_descriptor face_descriptor;
+  typedef typename Surface_traits::vertex_descriptor vertex_descriptor;
+  typedef typename Surface_traits::face_descriptor face_descriptor;
 
 private:
-  internal::Mesh_elements<TriangleMesh> m_elements;
-  internal::Linear_system<SparseLinearSolver> m_system;
-  std::shared_ptr<internal::Mesh_progress<TriangleMesh> > m_progress;
-  double m_squared_length_unit = 1; // weights times it are in units of the arrays
-  Border_condition m_border_condition = Border_condition::FREE;
-  std::vector<char> m_is_held; // constrained by a map or by the region, not by the border condition
-  bool m_has_constraints = false;
-  Error_code m_error = OK;
+  std::unique_ptr<internal::Surface_progress<TriangleMesh> > m_progress;
+  internal::Surface_elements<TriangleMesh> m_elements;
+  internal::Filter<SparseLinearSolver> m_filter;
+  std::vector<char> m_has_face_outside; // by vertex; none: the whole surface
+  int m_number_of_welded_vertices = 0;
+  bool m_may_values_be_missing = false;
+  Error_code m_error = ok;
 
 public:
   /// \name Construction
@@ -166,6 +168,16 @@ public:
    *     \cgalParamType{`Border_condition`}
    *     \cgalParamDefault{`Border_condition::FREE`}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{weld_tolerance}
+   *     \cgalParamDescription{joins border vertices that are not further apart than this, relative to the extent of the surface, as the two sides of a texture seam or the corners of an STL file are. They become one degree of freedom; each gets the same change, so that signals that differ at a seam go on doing so.}
+   *     \cgalParamType{`double`, `0` for vertices in the same place}
+   *     \cgalParamDefault{nothing is welded}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{missing_values}
+   *     \cgalParamDescription{whether NaN in a signal means that there is no value. Such values are filled in: they have no value weight, and no gradient is asked for on their faces. Otherwise NaN is an error.}
+   *     \cgalParamType{`bool`}
+   *     \cgalParamDefault{`false`}
+   *   \cgalParamNEnd
    *   \cgalParamNBegin{sparse_linear_solver}
    *     \cgalParamDescription{the linear solver; copied, so hand over one that shares its state to look at it later}
    *     \cgalParamType{`SparseLinearSolver`}
@@ -197,13 +209,10 @@ public:
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   explicit Gradient_domain_solver(const TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
-    : m_system(internal::parameter(np, CGAL::internal_np::sparse_linear_solver, SparseLinearSolver()))
-    , m_progress(internal::make_progress<TriangleMesh>(np))
+    : Gradient_domain_solver(np)
   {
-    initialize(tm, np, [&](std::vector<char>& is_fixed) {
-      const Error_code code = internal::read_mesh(tm, vertex_points(tm, np), np, m_system.parallel, m_elements, m_system.mesh);
-      is_fixed.assign(m_elements.vertices.size(), 0);
-      return code;
+    initialize(tm, np, [&](internal::Reading& reading) {
+      return internal::read_surface(tm, internal::point_map(tm, np), np, reading, m_elements, m_filter.system.mesh);
     });
   }
 
@@ -212,98 +221,95 @@ public:
    * Time and memory are proportional to the region (with `area_normalization`, the area of the mesh is summed up as well).
    * An empty region is no error.
    *
+   * \param region a range of `face_descriptor`; `error_invalid_region` where one is none of the mesh
    * \param tm the mesh
-   * \param region a range of `face_descriptor`
    * \param np as above
    */
   template <class FaceRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
-  Gradient_domain_solver(const TriangleMesh& tm, const FaceRange& region, const CGAL_NP_CLASS& np = parameters::default_values())
-    : m_system(internal::parameter(np, CGAL::internal_np::sparse_linear_solver, SparseLinearSolver()))
-    , m_progress(internal::make_progress<TriangleMesh>(np))
+  Gradient_domain_solver(const FaceRange& region, const TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
+    : Gradient_domain_solver(np)
   {
-    initialize(tm, np, [&](std::vector<char>& is_fixed) {
-      return internal::read_region(tm, region, vertex_points(tm, np), m_elements, m_system.mesh, is_fixed);
+    initialize(tm, np, [&](internal::Reading& reading) {
+      return internal::read_region(region, tm, internal::point_map(tm, np), np, reading, m_elements, m_filter.system.mesh,
+                                   m_has_face_outside);
     });
   }
+
+  Gradient_domain_solver(Gradient_domain_solver&&) = default;
+  Gradient_domain_solver& operator=(Gradient_domain_solver&&) = default;
 
   /// @}
   /// \name State
   /// @{
 
-  /// returns what went wrong during construction, or `OK`.
+  /// returns what went wrong during construction, or `ok`.
   Error_code error() const { return m_error; }
 
   /// returns the number of vertices that are solved for; known after `factorize()`.
-  std::size_t number_of_unknowns() const { return std::size_t(m_system.unknowns().size()); }
+  std::size_t number_of_degrees_of_freedom() const { return std::size_t(m_filter.system.degrees_of_freedom().size()); }
+
+  /// returns how many vertices were welded to others.
+  std::size_t number_of_welded_vertices() const { return std::size_t(m_number_of_welded_vertices); }
 
   /// @}
-  /// \name Weights and Metric
-  /// A new value or gradient weight, or a new metric, costs one numeric factorization with the next solution.
+  /// \name Weights, Constraints and Metric
+  /// A new value or gradient weight, or a new metric, costs one numeric factorization with the next solution; new constraints
+  /// cost an analysis as well. Where one of these functions fails or throws, all is as it was.
   /// @{
 
   /// sets \f$ \alpha \f$, at all vertices.
   Error_code set_value_weight(double alpha)
   {
-    if(!is_weight(alpha))
-      return ERROR_INVALID_WEIGHT;
-    internal::Weights weights = m_system.weights();
-    weights.value = alpha;
-    weights.value_at_vertex.clear();
-    m_system.set_weights(weights);
-    return OK;
+    return set_weight(alpha, [](internal::Energy_weights& weights, double w) { weights.set_value(w); });
   }
 
   /// sets \f$ \beta \f$, on all faces, in the units that were chosen on construction.
   Error_code set_gradient_weight(double beta)
   {
-    if(!is_weight(beta))
-      return ERROR_INVALID_WEIGHT;
-    internal::Weights weights = m_system.weights();
-    weights.gradient = beta * m_squared_length_unit;
-    weights.gradient_at_face.clear();
-    m_system.set_weights(weights);
-    return OK;
+    const double unit = m_filter.squared_length_unit;
+    return set_weight(beta, [unit](internal::Energy_weights& weights, double w) { weights.set_gradient(w * unit); });
   }
 
   /// sets \f$ \lambda \f$, on all faces. Costs nothing.
   Error_code set_gradient_scale(double lambda)
   {
     if(!std::isfinite(lambda))
-      return ERROR_INVALID_WEIGHT;
-    m_system.set_scale(lambda);
-    return OK;
+      return error_invalid_weight;
+    m_filter.system.set_scale(lambda);
+    return ok;
+  }
+
+  /// sets all weights as the named parameters say, those of vertices and faces included; a weight that is not among them gets its default.
+  template <typename CGAL_NP_TEMPLATE_PARAMETERS>
+  Error_code set_weights_from_parameters(const CGAL_NP_CLASS& np = parameters::default_values())
+  {
+    return m_error != ok ? m_error : checked(internal::read_weights(np, m_elements, m_filter));
+  }
+
+  /// sets the constrained vertices and the border condition as the named parameters say.
+  template <typename CGAL_NP_TEMPLATE_PARAMETERS>
+  Error_code set_constraints_from_parameters(const CGAL_NP_CLASS& np = parameters::default_values())
+  {
+    if(m_error == ok)
+      internal::read_constraints(np, m_elements, m_has_face_outside, m_filter);
+    return m_error;
   }
 
   /// sets the metric to that of the embedding.
   Error_code set_embedding_metric()
   {
-    if(const Error_code code = ready())
-      return code;
-    internal::Stage_scope stage(*m_progress, Stage::METRIC);
-    m_system.set_embedding_metric();
-    return OK;
+    if(m_error == ok)
+      m_filter.system.set_embedding_metric();
+    return m_error;
   }
 
   /// sets the metric of every face.
   /// \tparam FaceMetricMap a model of `ReadablePropertyMap` with key `face_descriptor` and value `Triangle_metric`
-  /// \return `ERROR_INVALID_METRIC` where a tensor is not positive definite; the metric is then what it was
+  /// \return `error_invalid_metric` where a tensor is not positive definite, `error_non_triangular_mesh` where a face is not a triangle
   template <class FaceMetricMap>
   Error_code set_metric(FaceMetricMap map)
   {
-    if(const Error_code code = ready())
-      return code;
-    internal::Stage_scope stage(*m_progress, Stage::METRIC);
-    internal::Untouched_vector<Triangle_metric> metrics(m_elements.faces.size());
-    const double factor = 1 / (m_system.mesh.unit() * m_system.mesh.unit());
-    for(std::size_t f = 0; f < metrics.size(); ++f)
-    {
-      const Triangle_metric metric = get(map, m_elements.faces[f]);
-      metrics[f] = metric.scaled(factor).with_area_bounded_below(internal::degeneracy_ratio);
-      if(!metric.is_valid() || !metrics[f].is_valid())
-        return invalid_face(ERROR_INVALID_METRIC, f);
-    }
-    m_system.set_metrics(std::move(metrics));
-    return OK;
+    return m_error != ok ? m_error : checked(internal::read_metrics(map, m_elements, m_filter));
   }
 
   /// sets the metric that the parameters of curvature in `np` describe, estimating the curvature where none is given.
@@ -311,34 +317,7 @@ public:
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code set_metric_from_parameters(const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    using namespace CGAL::internal_np;
-    typedef CGAL_NP_CLASS NP;
-    if(m_error != OK)
-      return m_error;
-    if constexpr (internal::Has_parameter<face_metric_map_t, NP>::value)
-      return set_metric(internal::parameter(np, face_metric_map, 0));
-    else if constexpr (!internal::Has_parameter<curvature_weight_t, NP>::value && !internal::Has_parameter<curvature_metric_kind_t, NP>::value)
-      return set_embedding_metric(); // known when compiled, which spares compiling the estimators
-    else
-    {
-      const auto kind = internal::parameter(np, curvature_metric_kind,
-                                            internal::Has_parameter<curvature_weight_t, NP>::value
-                                              ? Curvature_metric_kind::EDGE_AWARE : Curvature_metric_kind::EMBEDDING);
-      if constexpr (std::is_same<typename std::decay<decltype(kind)>::type, Curvature_metric_kind>::value)
-      {
-        const double weight = internal::parameter(np, curvature_weight, 0.02);
-        if(!is_weight(weight))
-          return ERROR_INVALID_WEIGHT;
-        if(kind == Curvature_metric_kind::EMBEDDING || weight == 0)
-          return set_embedding_metric();
-        return set_curvature_metric(internal::Curvature_stretch{kind, weight * m_squared_length_unit}, np);
-      }
-      else
-      {
-        const double unit = m_system.mesh.unit();
-        return set_curvature_metric([&](double k1, double k2) { return kind(k1 / unit, k2 / unit); }, np);
-      }
-    }
+    return m_error != ok ? m_error : checked(internal::set_metric(np, m_elements, m_filter));
   }
 
   /// @}
@@ -348,7 +327,7 @@ public:
   /// factorizes the system now rather than with the first solution.
   Error_code factorize()
   {
-    return m_error != OK ? m_error : m_system.factorize(*m_progress);
+    return m_error != ok ? m_error : m_filter.system.factorize(*m_progress);
   }
 
   /*!
@@ -356,21 +335,13 @@ public:
    *
    * \param in the signal \f$ f \f$: a model of `ReadablePropertyMap` with key `vertex_descriptor` and any value that `Signal_traits` knows
    * \param out the result \f$ g \f$: a model of `WritablePropertyMap` with a value of the same dimension; may be `in`
-   * \param number_of_iterations how often the filter is applied, to the last result each time; `ERROR_INVALID_PARAMETER` if negative
+   * \param number_of_iterations how often the filter is applied, to the last result each time; `error_invalid_parameter` if negative
    */
   template <class InMap, class OutMap>
   Error_code filter(InMap in, OutMap out, int number_of_iterations = 1)
   {
-    if(number_of_iterations < 0)
-      return ERROR_INVALID_PARAMETER;
-    internal::Signal signal;
-    if(const Error_code code = read_signal(in, signal))
-      return code;
-    internal::Signal result = signal;
-    for(int i = 0; i < number_of_iterations; ++i)
-      if(const Error_code code = filter_in_place(result))
-        return code;
-    return write_signal(in, result, out);
+    return m_error != ok ? m_error : checked(internal::filter_signal(in, out, number_of_iterations, m_may_values_be_missing,
+                                                                     m_elements, m_filter));
   }
 
   /*!
@@ -385,40 +356,7 @@ public:
   template <class InMap, class FaceGradientMap, class OutMap>
   Error_code fit_to_gradients(InMap in, FaceGradientMap gradients, OutMap out)
   {
-    internal::Signal signal;
-    if(const Error_code code = read_signal(in, signal))
-      return code;
-    const internal::Indexed_triangles& mesh = m_system.mesh;
-    const int channels = int(signal.cols());
-
-    // the target integrated along the edges from the first corner of every triangle to all three
-    internal::Signal along = internal::Signal::Zero(3 * mesh.number_of_triangles(), channels);
-    for(int f = 0; f < mesh.number_of_triangles(); ++f)
-    {
-      const auto& t = mesh.triangles[f];
-      const auto value = get(gradients, m_elements.faces[f]);
-      int channel = 0;
-      for(const auto& vector : value)
-      {
-        if(channel == channels)
-          break;
-        const Vec3 v = mesh.unit() * internal::to_vec3(vector);
-        for(int i = 1; i < 3; ++i)
-          along(3 * f + i, channel) = v.dot(mesh.points[t[i]] - mesh.points[t[0]]);
-        ++channel;
-      }
-      if(channel < channels || !along.middleRows(3 * f, 3).allFinite())
-        return invalid_face(ERROR_INVALID_TARGET, std::size_t(f));
-    }
-
-    const auto excess = [&](int f, int i, int j) {
-      const auto& t = mesh.triangles[f];
-      return (along.row(3 * f + j) - along.row(3 * f + i)) - (signal.row(t[j]) - signal.row(t[i]));
-    };
-    internal::Signal change;
-    if(const Error_code code = solve(excess, channels, change))
-      return code;
-    return write_signal(in, signal + change, out);
+    return m_error != ok ? m_error : checked(internal::fit_gradients(in, gradients, out, m_elements, m_filter));
   }
 
   /// @}
@@ -426,380 +364,76 @@ public:
   /// \cond SKIP_IN_MANUAL
   // For the functions of this package, which work on the arrays.
 
-  internal::Linear_system<SparseLinearSolver>& system() { return m_system; }
-  const internal::Mesh_elements<TriangleMesh>& elements() const { return m_elements; }
-  internal::Progress& progress() { return *m_progress; }
+  internal::Filter<SparseLinearSolver>& arrays() { return m_filter; }
+  const internal::Surface_elements<TriangleMesh>& elements() const { return m_elements; }
+  internal::Surface_progress<TriangleMesh>& progress() { return *m_progress; }
 
-  // Tell the visitor whom an error is about, and return it.
-  Error_code invalid_vertex(Error_code code, std::size_t v) const
+  // Tells the visitor whom an error is about, and returns it.
+  Error_code checked(Error_code code)
   {
-    m_progress->invalid_vertex(code, m_elements.vertices[v]);
+    const internal::Culprit culprit = std::exchange(m_filter.culprit, internal::Culprit());
+    if(code != ok && culprit.row >= 0)
+      m_progress->invalid_vertex(code, m_elements.vertices[std::size_t(culprit.row)]);
+    if(code != ok && culprit.face >= 0)
+      m_progress->invalid_face(code, m_elements.faces[std::size_t(culprit.face)]);
     return code;
-  }
-  Error_code invalid_face(Error_code code, std::size_t f) const
-  {
-    m_progress->invalid_face(code, m_elements.faces[f]);
-    return code;
-  }
-  double squared_length_unit() const { return m_squared_length_unit; }
-  bool is_held(int v) const { return m_is_held[v] != 0; }
-  bool is_moved(int v) const
-  {
-    return m_system.mesh.corners.size(v) > 0
-        && (!m_system.is_constrained[v] || (m_border_condition == Border_condition::ALONG_BORDER && !m_is_held[v]));
-  }
-
-  template <class Excess>
-  Error_code solve(const Excess& excess, int channels, internal::Signal& change)
-  {
-    if(m_error != OK)
-      return m_error;
-    if(m_border_condition != Border_condition::ALONG_BORDER)
-      return m_system.solve(excess, channels, *m_progress, change);
-    change.setZero(m_system.mesh.number_of_vertices(), channels);
-    if(const Error_code code = internal::displace_border(m_system.mesh, m_system.weights(), m_is_held, excess, channels, change))
-      return code;
-    return m_system.solve(excess, channels, *m_progress, change, true);
-  }
-
-  Error_code filter_in_place(internal::Signal& signal)
-  {
-    internal::Signal change;
-    if(const Error_code code = solve(m_system.excess_of_filter(signal), int(signal.cols()), change))
-      return code;
-    signal += change;
-    return OK;
-  }
-
-  // One pass over the positions in the arrays.
-  Error_code filter_points()
-  {
-    std::vector<Vec3>& points = m_system.mesh.points;
-    internal::Signal change;
-    if(const Error_code code = solve(m_system.excess_of_filter(points), 3, change))
-      return code;
-    for(std::size_t v = 0; v < points.size(); ++v)
-      points[v] += change.row(v).transpose();
-    return OK;
-  }
-
-  void set_points(const internal::Signal& positions)
-  {
-    for(int v = 0; v < m_system.mesh.number_of_vertices(); ++v)
-      m_system.mesh.points[v] = positions.row(v).transpose();
-  }
-
-  template <class VertexPointMap>
-  Error_code write_points(VertexPointMap vpm)
-  {
-    if(const Error_code code = ready())
-      return code;
-    internal::Stage_scope stage(*m_progress, Stage::WRITE);
-    typedef typename boost::property_traits<VertexPointMap>::value_type Point;
-    const double unit = m_system.mesh.unit();
-    std::vector<Point> moved;
-    moved.reserve(m_elements.vertices.size());
-    for(std::size_t v = 0; v < m_elements.vertices.size(); ++v)
-    {
-      const Vec3 p = unit * m_system.mesh.points[v];
-      moved.push_back(Signal_traits<Point>::make(p.data()));
-      if(!internal::to_vec3(moved.back()).allFinite())
-        return ERROR_RESULT_OUT_OF_RANGE;
-    }
-    for(std::size_t v = 0; v < m_elements.vertices.size(); ++v)
-      if(is_moved(int(v)))
-        put(vpm, m_elements.vertices[v], moved[v]);
-    return OK;
-  }
-
-  // The volume has a meaning where all of a closed mesh moves freely.
-  bool encloses_volume() const
-  {
-    for(int v = 0; v < m_system.mesh.number_of_vertices(); ++v)
-      if(m_system.mesh.is_on_border[v] && m_system.mesh.corners.size(v) > 0)
-        return false;
-    return !m_has_constraints;
-  }
-
-  template <class Map>
-  Error_code read_vectors(Map map, std::vector<Vec3>& vectors) const
-  {
-    vectors.resize(m_elements.vertices.size());
-    for(std::size_t v = 0; v < vectors.size(); ++v)
-    {
-      vectors[v] = internal::to_vec3(get(map, m_elements.vertices[v]));
-      if(!vectors[v].allFinite())
-        return invalid_vertex(ERROR_INVALID_TARGET, v);
-    }
-    return OK;
-  }
-
-  // The caller's normals, or none.
-  template <class NamedParameters>
-  Error_code given_normals(const NamedParameters& np, std::unique_ptr<std::vector<Vec3> >& normals) const
-  {
-    if constexpr (internal::Has_parameter<CGAL::internal_np::vertex_normal_map_t, NamedParameters>::value)
-    {
-      normals = std::make_unique<std::vector<Vec3> >();
-      return read_vectors(internal::parameter(np, CGAL::internal_np::vertex_normal_map, 0), *normals);
-    }
-    else
-      return OK;
-  }
-
-  template <class NamedParameters>
-  Error_code curvature_options(const NamedParameters& np, internal::Curvature_options& options) const
-  {
-    using namespace CGAL::internal_np;
-    options.estimator = internal::parameter(np, curvature_estimator, Curvature_estimator::JETS);
-    options.jet_degree = internal::parameter(np, jet_degree, 2);
-    const double weight = internal::parameter(np, presmoothing_weight, 1e-4);
-    options.presmoothing_weight = weight * m_squared_length_unit;
-    if(options.jet_degree < 2 || options.jet_degree > 4)
-      return ERROR_INVALID_PARAMETER;
-    return is_weight(weight) ? OK : ERROR_INVALID_WEIGHT;
-  }
-
-  template <class InMap>
-  Error_code read_signal(InMap in, internal::Signal& signal)
-  {
-    if(const Error_code code = ready())
-      return code;
-    internal::Stage_scope stage(*m_progress, Stage::READ);
-    typedef Signal_traits<typename boost::property_traits<InMap>::value_type> Traits;
-    signal.resize(m_elements.vertices.size(), Traits::dimension);
-    for(std::size_t v = 0; v < m_elements.vertices.size(); ++v)
-    {
-      const auto& value = get(in, m_elements.vertices[v]);
-      for(int i = 0; i < Traits::dimension; ++i)
-        signal(v, i) = Traits::channel(value, i);
-      if(!signal.row(v).allFinite())
-        return invalid_vertex(ERROR_INVALID_SIGNAL, v);
-    }
-    return OK;
-  }
-
-  // Values that were not solved for are copied, so that they stay the same to the bit.
-  template <class InMap, class OutMap>
-  Error_code write_signal(InMap in, const internal::Signal& result, OutMap out)
-  {
-    if(const Error_code code = ready())
-      return code;
-    internal::Stage_scope stage(*m_progress, Stage::WRITE);
-    typedef typename boost::property_traits<InMap>::value_type In_value;
-    typedef typename boost::property_traits<OutMap>::value_type Out_value;
-    typedef Signal_traits<Out_value> Traits;
-    static_assert(Signal_traits<In_value>::dimension == Traits::dimension, "input and output have as many channels");
-
-    std::vector<Out_value> values;
-    values.reserve(m_elements.vertices.size());
-    for(std::size_t v = 0; v < m_elements.vertices.size(); ++v)
-    {
-      values.push_back(Traits::make(result.row(v).data()));
-      for(int i = 0; i < Traits::dimension; ++i)
-        if(!std::isfinite(Traits::channel(values.back(), i)))
-          return invalid_vertex(ERROR_RESULT_OUT_OF_RANGE, v);
-      if constexpr (std::is_same<In_value, Out_value>::value)
-        if(!is_moved(int(v)))
-          values.back() = get(in, m_elements.vertices[v]);
-    }
-    for(std::size_t v = 0; v < values.size(); ++v)
-      put(out, m_elements.vertices[v], values[v]);
-    return OK;
   }
   /// \endcond
 
 private:
-  // At the beginning of every stage the visitor is asked.
-  Error_code ready()
+  template <typename CGAL_NP_TEMPLATE_PARAMETERS>
+  explicit Gradient_domain_solver(const CGAL_NP_CLASS& np)
+    : m_progress(internal::make_progress<TriangleMesh>(np))
+    , m_filter(internal::parameter(np, CGAL::internal_np::sparse_linear_solver, SparseLinearSolver()), *m_progress)
   {
-    return m_error != OK ? m_error : m_progress->go_on(0) ? OK : ERROR_CANCELLED;
+    m_may_values_be_missing = internal::parameter(np, CGAL::internal_np::missing_values, false);
+    m_progress->plan(internal::planned_work(np));
   }
 
-  static bool is_weight(double w) { return w >= 0 && std::isfinite(w); }
-
-  template <class NamedParameters>
-  static auto vertex_points(const TriangleMesh& tm, const NamedParameters& np)
+  template <class Set>
+  Error_code set_weight(double weight, const Set& set)
   {
-    return internal::parameter(np, CGAL::internal_np::vertex_point, get_const_property_map(CGAL::vertex_point, tm));
+    if(!internal::is_weight(weight))
+      return error_invalid_weight;
+    internal::Energy_weights weights = m_filter.system.weights();
+    set(weights, weight);
+    m_filter.system.set_weights(weights);
+    return ok;
   }
 
   template <class NamedParameters, class Read>
   void initialize(const TriangleMesh& tm, const NamedParameters& np, const Read& read)
   {
-    using namespace CGAL::internal_np;
-    m_system.parallel = internal::is_parallel<
-      internal::Parameter_type<concurrency_tag_t, NamedParameters, Parallel_if_available_tag> >();
-    if(!m_progress->go_on(0))
-      m_error = ERROR_CANCELLED;
-    else
+    m_error = m_filter.ready();
+    if(m_error == ok)
     {
       internal::Stage_scope stage(*m_progress, Stage::READ);
-      std::vector<char> is_fixed;
-      m_error = read(is_fixed);
-      if(m_error == ERROR_NON_TRIANGULAR_MESH) // reading ended at the first of these
-        invalid_face(m_error, m_system.mesh.triangles.size());
-      if(m_error == ERROR_INVALID_POINT)
-        invalid_vertex(m_error, m_system.mesh.points.size() - 1);
-      if(m_error == OK)
-        m_error = read_unit(tm, np);
-      if(m_error == OK)
-        m_error = read_constraints(is_fixed, np);
-      if(m_error == OK)
-        m_error = read_weights(np);
+      internal::Reading reading = internal::reading_parameters(np);
+      m_error = read(reading);
+      m_filter.culprit = reading.culprit;
+      m_filter.system.parallel = reading.parallel;
+      m_number_of_welded_vertices = reading.number_of_welded_vertices;
+      if(m_error == ok)
+        m_error = prepare(tm, np);
+      checked(m_error);
     }
-    if(m_error == OK)
+    if(m_error == ok)
       m_error = set_metric_from_parameters(np);
+    if(m_error == ok && m_number_of_welded_vertices > 0)
+      m_progress->notice(std::to_string(m_number_of_welded_vertices) + " vertices at seams were welded to others");
   }
 
   template <class NamedParameters>
-  Error_code read_unit(const TriangleMesh& tm, const NamedParameters& np)
+  Error_code prepare(const TriangleMesh& tm, const NamedParameters& np)
   {
-    m_squared_length_unit = internal::parameter(np, CGAL::internal_np::area_normalization, true)
-                          ? internal::total_area(tm, vertex_points(tm, np), m_system.mesh, m_system.parallel)
-                          : 1 / (m_system.mesh.unit() * m_system.mesh.unit());
-    return std::isfinite(m_squared_length_unit) ? OK : ERROR_INVALID_POINT;
-  }
-
-  template <class NamedParameters>
-  Error_code read_constraints(std::vector<char>& is_fixed, const NamedParameters& np)
-  {
-    using namespace CGAL::internal_np;
-    if constexpr (internal::Has_parameter<vertex_is_constrained_t, NamedParameters>::value)
-    {
-      const auto map = internal::parameter(np, vertex_is_constrained, 0);
-      for(std::size_t v = 0; v < is_fixed.size(); ++v)
-        if(get(map, m_elements.vertices[v]))
-          is_fixed[v] = 1;
-    }
-    m_has_constraints = std::find(is_fixed.begin(), is_fixed.end(), 1) != is_fixed.end();
-    m_border_condition = internal::parameter(np, CGAL::internal_np::border_condition, Border_condition::FREE);
-    m_system.is_constrained = is_fixed;
-    m_is_held = std::move(is_fixed);
-    if(m_border_condition != Border_condition::FREE)
-      for(std::size_t v = 0; v < m_is_held.size(); ++v)
-        if(m_system.mesh.is_on_border[v])
-          m_system.is_constrained[v] = 1;
-    return OK;
-  }
-
-  template <class NamedParameters>
-  Error_code read_weights(const NamedParameters& np)
-  {
-    using namespace CGAL::internal_np;
-    internal::Weights weights;
-    const double beta = internal::parameter(np, gradient_weight, 1e-4);
-    weights.value = internal::parameter(np, value_weight, 1.);
-    weights.gradient = beta * m_squared_length_unit;
-    weights.scale = internal::parameter(np, gradient_scale, 0.);
-    if(!is_weight(weights.value) || !is_weight(beta) || !std::isfinite(weights.scale))
-      return ERROR_INVALID_WEIGHT;
-
-    if constexpr (internal::Has_parameter<vertex_value_weight_map_t, NamedParameters>::value)
-      if(!read_numbers(internal::parameter(np, vertex_value_weight_map, 0), m_elements.vertices, true, weights.value, weights.value_at_vertex))
-        return invalid_vertex(ERROR_INVALID_WEIGHT, weights.value_at_vertex.size() - 1);
-    if constexpr (internal::Has_parameter<face_gradient_weight_map_t, NamedParameters>::value)
-    {
-      double same = beta;
-      if(!read_numbers(internal::parameter(np, face_gradient_weight_map, 0), m_elements.faces, true, same, weights.gradient_at_face))
-        return invalid_face(ERROR_INVALID_WEIGHT, weights.gradient_at_face.size() - 1);
-      weights.gradient = same * m_squared_length_unit;
-      for(double& w : weights.gradient_at_face)
-        w *= m_squared_length_unit;
-    }
-    if constexpr (internal::Has_parameter<face_gradient_scale_map_t, NamedParameters>::value)
-      if(!read_numbers(internal::parameter(np, face_gradient_scale_map, 0), m_elements.faces, false, weights.scale, weights.scale_at_face))
-        return invalid_face(ERROR_INVALID_WEIGHT, weights.scale_at_face.size() - 1);
-    m_system.set_weights(weights);
-    return OK;
-  }
-
-  // Numbers that are all the same make `same`, and none of their own: that is what costs least. Ends with the first bad one.
-  template <class Map, class Elements>
-  static bool read_numbers(Map map, const Elements& elements, bool non_negative, double& same, std::vector<double>& numbers)
-  {
-    numbers.reserve(elements.size());
-    for(auto element : elements)
-    {
-      numbers.push_back(CGAL::to_double(get(map, element)));
-      if(!std::isfinite(numbers.back()) || (non_negative && numbers.back() < 0))
-        return false;
-    }
-    if(std::equal(numbers.begin() + !numbers.empty(), numbers.end(), numbers.begin()))
-    {
-      if(!numbers.empty())
-        same = numbers.front();
-      numbers = std::vector<double>();
-    }
-    return true;
-  }
-
-  template <class Stretch, class NamedParameters>
-  Error_code set_curvature_metric(const Stretch& stretch, const NamedParameters& np)
-  {
-    std::vector<internal::Principal_curvatures> curvatures;
-    if(const Error_code code = face_curvatures(np, curvatures))
-      return code;
-    if(const Error_code code = ready())
-      return code;
-    internal::Stage_scope stage(*m_progress, Stage::METRIC);
-    internal::Untouched_vector<Triangle_metric> metrics;
-    const Error_code code = internal::stretched_metrics(m_system.mesh, curvatures, stretch, m_system.parallel, metrics);
-    if(code == OK)
-      m_system.set_metrics(std::move(metrics));
-    if(code == ERROR_INVALID_METRIC)
-      for(std::size_t f = 0; f < curvatures.size(); ++f)
-        if(!internal::is_valid_stretch(stretch(curvatures[f].min_curvature, curvatures[f].max_curvature)))
-          return invalid_face(code, f);
-    return code;
-  }
-
-  template <class NamedParameters>
-  Error_code face_curvatures(const NamedParameters& np, std::vector<internal::Principal_curvatures>& curvatures)
-  {
-    using namespace CGAL::internal_np;
-    if constexpr (internal::Has_parameter<vertex_curvature_map_t, NamedParameters>::value)
-    {
-      const auto map = internal::parameter(np, vertex_curvature_map, 0);
-      const double unit = m_system.mesh.unit();
-      std::vector<internal::Principal_curvatures> at_vertices;
-      at_vertices.reserve(m_elements.vertices.size());
-      for(auto v : m_elements.vertices)
-      {
-        const auto& k = get(map, v);
-        at_vertices.push_back({unit * CGAL::to_double(k.min_curvature), unit * CGAL::to_double(k.max_curvature),
-                               internal::to_vec3(k.min_direction), internal::to_vec3(k.max_direction)});
-        const auto& last = at_vertices.back();
-        if(!std::isfinite(last.min_curvature) || !std::isfinite(last.max_curvature) || !last.min_direction.allFinite()
-           || !last.max_direction.allFinite())
-          return invalid_vertex(ERROR_INVALID_TARGET, at_vertices.size() - 1);
-      }
-      curvatures = internal::face_curvatures(m_system.mesh, at_vertices, m_system.parallel);
-      return OK;
-    }
-    else
-    {
-      internal::Curvature_options options;
-      if(const Error_code code = curvature_options(np, options))
-        return code;
-      std::unique_ptr<std::vector<Vec3> > normals;
-      if(const Error_code code = given_normals(np, normals))
-        return code;
-
-      const internal::Weights weights = m_system.weights();
-      Error_code code;
-      if(options.estimator == Curvature_estimator::NORMALS)
-        code = internal::face_curvatures_by_normals(m_system, normals.get(), options, *m_progress, curvatures);
-      else
-      {
-        std::vector<internal::Principal_curvatures> at_vertices;
-        code = internal::vertex_curvatures_by_jets(m_system, normals.get(), options, *m_progress, at_vertices);
-        if(code == OK)
-          curvatures = internal::face_curvatures(m_system.mesh, at_vertices, m_system.parallel);
-      }
-      m_system.set_weights(weights);
-      return code;
-    }
+    const internal::Indexed_triangles& mesh = m_filter.mesh();
+    m_filter.squared_length_unit = internal::parameter(np, CGAL::internal_np::area_normalization, true)
+      ? internal::total_area(tm, internal::point_map(tm, np), m_elements, mesh, m_filter.system.parallel)
+      : 1 / (mesh.unit() * mesh.unit());
+    if(!std::isfinite(m_filter.squared_length_unit))
+      return error_invalid_point;
+    internal::read_constraints(np, m_elements, m_has_face_outside, m_filter);
+    return internal::read_weights(np, m_elements, m_filter);
   }
 };
 
@@ -808,7 +442,7 @@ private:
  *
  * returns a `Gradient_domain_solver` for the mesh, with the linear solver that is named in `np`.
  */
-template <class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_mesh<TriangleMesh> >
 auto make_gradient_domain_solver(const TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
 {
   typedef internal::Parameter_type<CGAL::internal_np::sparse_linear_solver_t, CGAL_NP_CLASS, Default_sparse_linear_solver> Solver;
@@ -820,12 +454,43 @@ auto make_gradient_domain_solver(const TriangleMesh& tm, const CGAL_NP_CLASS& np
  *
  * returns a `Gradient_domain_solver` for a region of the mesh, with the linear solver that is named in `np`.
  */
-template <class TriangleMesh, class FaceRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
-auto make_gradient_domain_solver(const TriangleMesh& tm, const FaceRange& region,
+template <class FaceRange, class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_mesh<TriangleMesh> >
+auto make_gradient_domain_solver(const FaceRange& region, const TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  typedef internal::Parameter_type<CGAL::internal_np::sparse_linear_solver_t, CGAL_NP_CLASS, Default_sparse_linear_solver> Solver;
+  return Gradient_domain_solver<TriangleMesh, Solver>(region, tm, np);
+}
+
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * returns a `Gradient_domain_solver` for a soup: points and polygons that index them, with any number of polygons at an edge.
+ * The descriptors of its vertices and faces are indices, of type `std::size_t`.
+ *
+ * \tparam PointRange a model of `RandomAccessContainer` whose value is a point: with `operator[]` or `x()`, `y()`, `z()`
+ * \tparam PolygonRange a model of `RandomAccessContainer` whose value is a range of indices
+ */
+template <class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_range<const PolygonRange>, class = void>
+auto make_gradient_domain_solver(const PointRange& points, const PolygonRange& polygons, const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  typedef internal::Parameter_type<CGAL::internal_np::sparse_linear_solver_t, CGAL_NP_CLASS, Default_sparse_linear_solver> Solver;
+  typedef internal::Polygon_soup<const PointRange, PolygonRange> Soup;
+  return Gradient_domain_solver<Soup, Solver>(Soup{points, polygons}, np);
+}
+
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * returns a `Gradient_domain_solver` for a region of a soup, given by the indices of its polygons.
+ */
+template <class FaceRange, class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_range<const PolygonRange> >
+auto make_gradient_domain_solver(const FaceRange& region, const PointRange& points, const PolygonRange& polygons,
                                  const CGAL_NP_CLASS& np = parameters::default_values())
 {
   typedef internal::Parameter_type<CGAL::internal_np::sparse_linear_solver_t, CGAL_NP_CLASS, Default_sparse_linear_solver> Solver;
-  return Gradient_domain_solver<TriangleMesh, Solver>(tm, region, np);
+  typedef internal::Polygon_soup<const PointRange, PolygonRange> Soup;
+  return Gradient_domain_solver<Soup, Solver>(region, Soup{points, polygons}, np);
 }
 
 } // namespace Gradient_domain_processing

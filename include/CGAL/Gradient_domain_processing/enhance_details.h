@@ -7,30 +7,44 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_ENHANCE_DETAILS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_ENHANCE_DETAILS_H
 
-#include <CGAL/Gradient_domain_processing/internal/filtering/filter_positions.h>
+#include <CGAL/Gradient_domain_processing/Gradient_domain_solver.h>
+#include <CGAL/Gradient_domain_processing/internal/filtering/move_positions.h>
 
 namespace CGAL {
 namespace Gradient_domain_processing {
 
 namespace internal {
 
-template <class Solver, class TriangleMesh, class NamedParameters>
-Error_code enhance_details(Solver solver, TriangleMesh& tm, const NamedParameters& np)
+// The metric of the second pass: its own, whatever the first had.
+template <class Solver, class NamedParameters>
+Error_code set_sharpening_metric(Solver& solver, const NamedParameters& np)
 {
   using namespace CGAL::internal_np;
-  const auto second = parameters::with(np)
-    .curvature_metric_kind(parameter(np, sharpening_metric_kind, Curvature_metric_kind::EMBEDDING))
-    .curvature_weight(parameter(np, sharpening_curvature_weight, 0.02));
-  return change_positions(solver, tm, np, [&] {
-    if(const Error_code code = solver.filter_points())
+  if constexpr (!Has_parameter<sharpening_metric_kind_t, NamedParameters>::value)
+    return solver.set_embedding_metric();
+  else
+    return solver.checked(set_curvature_metric(parameter(np, sharpening_metric_kind, Curvature_metric_kind::EMBEDDING),
+                                               parameter(np, sharpening_curvature_weight, 0.02), np, solver.elements(), solver.arrays()));
+}
+
+template <class Solver, class PointMap, class NamedParameters>
+Error_code enhance_details(Solver solver, PointMap point_map, const NamedParameters& np)
+{
+  using namespace CGAL::internal_np;
+  return move_positions(solver, point_map, np, [&](const auto& end_of_pass) {
+    if(const Error_code code = solver.arrays().filter_points())
       return code;
-    if(const Error_code code = solver.set_metric_from_parameters(second))
+    if(const Error_code code = end_of_pass())
+      return code;
+    if(const Error_code code = set_sharpening_metric(solver, np))
       return code;
     if(const Error_code code = solver.set_gradient_weight(parameter(np, sharpening_weight, 1e-5)))
       return code;
     if(const Error_code code = solver.set_gradient_scale(parameter(np, sharpening_scale, 4.)))
       return code;
-    return solver.filter_points();
+    if(const Error_code code = solver.arrays().filter_points())
+      return code;
+    return end_of_pass();
   });
 }
 
@@ -72,27 +86,54 @@ Error_code enhance_details(Solver solver, TriangleMesh& tm, const NamedParameter
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return `OK`; or what is wrong, and then the mesh is as it was
+ * \return `ok`; or what is wrong, and then the mesh is as it was
  */
-template <class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_mesh<TriangleMesh> >
 Error_code enhance_details(TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::enhance_details(make_gradient_domain_solver(tm, np), tm, np);
+  return internal::enhance_details(make_gradient_domain_solver(tm, np), internal::writable_point_map(tm, np), np);
 }
 
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * does so to a region of the mesh. Vertices that have a face outside of the region do not move, to the bit.
+ * does so to a region of the mesh. Vertices that have a face outside of the region do not move, to the bit. Time and memory are
+ * proportional to the region.
  *
- * \param tm the triangle mesh
  * \param region a range of `face_descriptor`; may be empty
+ * \param tm the mesh
  * \param np as above
  */
 template <class FaceRange, class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_mesh<TriangleMesh> >
 Error_code enhance_details(const FaceRange& region, TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::enhance_details(make_gradient_domain_solver(tm, region, np), tm, np);
+  return internal::enhance_details(make_gradient_domain_solver(region, tm, np), internal::writable_point_map(tm, np), np);
+}
+
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * does so to a soup, with any number of polygons at an edge.
+ *
+ * \param points a model of `RandomAccessContainer` of points; they are moved
+ * \param polygons a model of `RandomAccessContainer` whose value is a range of indices of points
+ * \param np as above; property maps have indices, of type `std::size_t`, as keys
+ */
+template <class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_range<const PolygonRange>, class = void>
+Error_code enhance_details(PointRange& points, const PolygonRange& polygons, const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return internal::enhance_details(make_gradient_domain_solver(points, polygons, np), internal::writable_point_map(points), np);
+}
+
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * does so to a region of a soup, a range of indices of polygons.
+ */
+template <class FaceRange, class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_range<const PolygonRange> >
+Error_code enhance_details(const FaceRange& region, PointRange& points, const PolygonRange& polygons, const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return internal::enhance_details(make_gradient_domain_solver(region, points, polygons, np), internal::writable_point_map(points), np);
 }
 
 } // namespace Gradient_domain_processing

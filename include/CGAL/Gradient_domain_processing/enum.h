@@ -39,6 +39,17 @@ enum class Curvature_estimator
 /*!
  * \ingroup PkgGradientDomainProcessingEnums
  *
+ * How `fit_to_normals()` asks for normals.
+ */
+enum class Normal_fit_kind
+{
+  FACES, ///< Every face is turned as the wanted normals at its corners are against those of the mesh. The mesh's own normals change nothing.
+  EDGES  ///< Every edge shall be orthogonal to the sum of the wanted normals at its ends: the form of the paper's authors. Creases become round.
+};
+
+/*!
+ * \ingroup PkgGradientDomainProcessingEnums
+ *
  * What happens at the border of an open mesh.
  */
 enum class Border_condition

@@ -9,7 +9,7 @@
 
 #include <CGAL/Gradient_domain_processing/Gradient_domain_solver.h>
 
-#include <memory>
+#include <cmath>
 #include <vector>
 
 namespace CGAL {
@@ -50,7 +50,7 @@ struct Principal_curvatures_and_directions
  *        here: curvature of the mesh as it is), `area_normalization`, `vertex_normal_map`, `concurrency_tag`, `visitor`,
  *        `sparse_linear_solver`, `vertex_point_map`, `vertex_index_map` of `Gradient_domain_solver`
  *
- * \return `OK`; or what is wrong, and then `curvatures` is as it was
+ * \return `ok`; or what is wrong, and then `curvatures` is as it was
  *
  * Complexity: proportional to the number of vertices, with TBB in parallel; results do not depend on the number of threads.
  */
@@ -58,35 +58,38 @@ template <class TriangleMesh, class VertexCurvatureMap, typename CGAL_NP_TEMPLAT
 Error_code estimate_curvatures(const TriangleMesh& tm, VertexCurvatureMap curvatures,
                                const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  using namespace CGAL::internal_np;
   typedef typename boost::property_traits<VertexCurvatureMap>::value_type Curvature;
 
-  auto solver = make_gradient_domain_solver(
-    tm, parameters::with(np).curvature_metric_kind(Curvature_metric_kind::EMBEDDING));
-  if(solver.error() != OK)
+  auto solver = make_gradient_domain_solver(tm, parameters::with(np).curvature_metric_kind(Curvature_metric_kind::EMBEDDING));
+  if(solver.error() != ok)
     return solver.error();
+  auto& filter = solver.arrays();
   internal::Curvature_options options;
-  if(const Error_code code = solver.curvature_options(np, options))
+  if(const Error_code code = solver.checked(internal::read_curvature_options(np, solver.elements(), filter, 0., options)))
     return code;
-  if(!internal::Has_parameter<presmoothing_weight_t, CGAL_NP_CLASS>::value)
-    options.presmoothing_weight = 0;
-  std::unique_ptr<std::vector<internal::Vec3> > normals;
-  if(const Error_code code = solver.given_normals(np, normals))
-    return code;
-
   std::vector<internal::Principal_curvatures> found;
-  if(const Error_code code = internal::vertex_curvatures_by_jets(solver.system(), normals.get(), options, solver.progress(), found))
+  if(const Error_code code = filter.estimate_by_jets(options, found))
     return code;
 
   typedef decltype(Curvature::min_curvature) FT;
   typedef decltype(Curvature::min_direction) Vector_3;
-  const double unit = solver.system().mesh.unit();
+  const internal::Indexed_triangles& mesh = filter.mesh();
   const auto vector = [](const internal::Vec3& v) { return Vector_3(FT(v[0]), FT(v[1]), FT(v[2])); };
-  for(std::size_t v = 0; v < found.size(); ++v)
-    put(curvatures, solver.elements().vertices[v],
-        Curvature{FT(found[v].min_curvature / unit), FT(found[v].max_curvature / unit),
-                  vector(found[v].min_direction), vector(found[v].max_direction)});
-  return OK;
+  std::vector<Curvature> result;
+  for(int row = 0; row < mesh.number_of_surface_vertices(); ++row)
+  {
+    const internal::Principal_curvatures& k = found[mesh.vertex_of(row)];
+    result.push_back(Curvature{FT(k.min_curvature / mesh.unit()), FT(k.max_curvature / mesh.unit()),
+                               vector(k.min_direction), vector(k.max_direction)});
+    if(!std::isfinite(CGAL::to_double(result.back().min_curvature)) || !std::isfinite(CGAL::to_double(result.back().max_curvature)))
+    {
+      filter.culprit.row = row;
+      return solver.checked(error_result_out_of_range);
+    }
+  }
+  for(std::size_t row = 0; row < result.size(); ++row)
+    put(curvatures, solver.elements().vertices[row], result[row]);
+  return ok;
 }
 
 } // namespace Gradient_domain_processing

@@ -33,11 +33,10 @@ namespace Gradient_domain_processing {
  * \param out the result \f$ g \f$; may be `in`
  * \param np all the \ref bgl_namedparameters "Named Parameters" of `Gradient_domain_solver`, of which `gradient_scale` has no meaning here
  *
- * \return `OK`; or what is wrong, and then `out` is as it was
+ * \return `ok`; or what is wrong, and then `out` is as it was
  */
-template <class TriangleMesh, class InMap, class FaceGradientMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
-Error_code fit_to_gradients(const TriangleMesh& tm, InMap in, FaceGradientMap gradients, OutMap out,
-                            const CGAL_NP_CLASS& np = parameters::default_values())
+template <class TriangleMesh, class InMap, class FaceGradientMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_mesh<TriangleMesh> >
+Error_code fit_to_gradients(const TriangleMesh& tm, InMap in, FaceGradientMap gradients, OutMap out, const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return make_gradient_domain_solver(tm, np).fit_to_gradients(in, gradients, out);
 }
@@ -45,16 +44,42 @@ Error_code fit_to_gradients(const TriangleMesh& tm, InMap in, FaceGradientMap gr
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * does so on a region of the mesh. Vertices that have a face outside of the region keep their values, to the bit.
+ * does so in a region of the mesh. Vertices that have a face outside of the region keep their values, to the bit, and
+ * `out` is written at the vertices of the region only.
  *
  * \param region a range of `face_descriptor`; may be empty
  * \param tm, in, gradients, out, np as above
  */
-template <class FaceRange, class TriangleMesh, class InMap, class FaceGradientMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
-Error_code fit_to_gradients(const FaceRange& region, const TriangleMesh& tm, InMap in, FaceGradientMap gradients, OutMap out,
-                            const CGAL_NP_CLASS& np = parameters::default_values())
+template <class FaceRange, class TriangleMesh, class InMap, class FaceGradientMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_mesh<TriangleMesh>, class = internal::Enable_if_range<const FaceRange> >
+Error_code fit_to_gradients(const FaceRange& region, const TriangleMesh& tm, InMap in, FaceGradientMap gradients, OutMap out, const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return make_gradient_domain_solver(tm, region, np).fit_to_gradients(in, gradients, out);
+  return make_gradient_domain_solver(region, tm, np).fit_to_gradients(in, gradients, out);
+}
+
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * does so on a soup, with any number of polygons at an edge. Property maps have indices, of type `std::size_t`, as keys.
+ *
+ * \param points a model of `RandomAccessContainer` of points
+ * \param polygons a model of `RandomAccessContainer` whose value is a range of indices of points
+ * \param in, gradients, out, np as above
+ */
+template <class PointRange, class PolygonRange, class InMap, class FaceGradientMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_range<const PointRange>, class = internal::Enable_if_range<const PolygonRange>, class = void>
+Error_code fit_to_gradients(const PointRange& points, const PolygonRange& polygons, InMap in, FaceGradientMap gradients, OutMap out, const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return make_gradient_domain_solver(points, polygons, np).fit_to_gradients(in, gradients, out);
+}
+
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * does so in a region of a soup, a range of indices of polygons.
+ */
+template <class FaceRange, class PointRange, class PolygonRange, class InMap, class FaceGradientMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_range<const PointRange>, class = internal::Enable_if_range<const PolygonRange> >
+Error_code fit_to_gradients(const FaceRange& region, const PointRange& points, const PolygonRange& polygons, InMap in, FaceGradientMap gradients, OutMap out, const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return make_gradient_domain_solver(region, points, polygons, np).fit_to_gradients(in, gradients, out);
 }
 
 } // namespace Gradient_domain_processing

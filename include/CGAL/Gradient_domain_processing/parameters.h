@@ -11,7 +11,9 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/version.h>
 
+#include <iterator>
 #include <type_traits>
+#include <utility>
 
 /// \file parameters.h
 /// The named parameters of this package. They chain with those of CGAL in any order.
@@ -40,6 +42,12 @@
   ADD(sharpening_curvature_weight)     \
   ADD(sharpening_metric_kind)          \
   ADD(interior_edge_weight_map)        \
+  ADD(normal_fit_kind)                 \
+  ADD(weld_tolerance)                  \
+  ADD(non_shrinking_order)             \
+  ADD(max_displacement)                \
+  ADD(movable_axes)                    \
+  ADD(missing_values)                  \
   ADD(noise_level)                     \
   ADD(normal_similarity)               \
   ADD(normal_similarity_decay)         \
@@ -193,9 +201,18 @@ struct Is_pack : std::false_type {};
 template <class T, class Tag, class Base>
 struct Is_pack<Named_function_parameters<T, Tag, Base> > : std::true_type {};
 
-// Tells f(region, tm) from f(tm, np).
+template <class T, class = void>
+struct Is_range : std::false_type {};
+
+template <class T>
+struct Is_range<T, decltype(void(std::begin(std::declval<T&>())), void(std::end(std::declval<T&>())))> : std::true_type {};
+
+// Tell f(tm, np), f(region, tm, np), f(points, polygons, np) and f(region, points, polygons, np) from each other.
 template <class TriangleMesh>
-using Enable_if_mesh = typename std::enable_if<!Is_pack<TriangleMesh>::value>::type;
+using Enable_if_mesh = typename std::enable_if<!Is_pack<TriangleMesh>::value && !Is_range<TriangleMesh>::value>::type;
+
+template <class PolygonRange>
+using Enable_if_range = typename std::enable_if<Is_range<PolygonRange>::value>::type;
 
 /// The value of a parameter, or `fallback`.
 template <class NamedParameters, class Tag, class Default>

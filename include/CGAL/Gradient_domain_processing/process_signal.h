@@ -38,33 +38,56 @@ namespace Gradient_domain_processing {
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return `OK`; or what is wrong, and then `out` is as it was
+ * \return `ok`; or what is wrong, and then `out` is as it was
  *
  * \sa `smooth()`
  * \sa `sharpen()`
  */
-template <class TriangleMesh, class InMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <class TriangleMesh, class InMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_mesh<TriangleMesh> >
 Error_code process_signal(const TriangleMesh& tm, InMap in, OutMap out, const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  const int iterations = int(internal::parameter(np, CGAL::internal_np::number_of_iterations, 1));
-  return make_gradient_domain_solver(tm, np).filter(in, out, iterations);
+  return make_gradient_domain_solver(tm, np).filter(in, out, int(internal::parameter(np, CGAL::internal_np::number_of_iterations, 1)));
 }
 
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * filters a signal on a region of the mesh. Vertices that have a face outside of the region keep their values, to the bit, and
+ * does so in a region of the mesh. Vertices that have a face outside of the region keep their values, to the bit, and
  * `out` is written at the vertices of the region only.
  *
  * \param region a range of `face_descriptor`; may be empty
  * \param tm, in, out, np as above
  */
-template <class FaceRange, class TriangleMesh, class InMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
-Error_code process_signal(const FaceRange& region, const TriangleMesh& tm, InMap in, OutMap out,
-                          const CGAL_NP_CLASS& np = parameters::default_values())
+template <class FaceRange, class TriangleMesh, class InMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_mesh<TriangleMesh>, class = internal::Enable_if_range<const FaceRange> >
+Error_code process_signal(const FaceRange& region, const TriangleMesh& tm, InMap in, OutMap out, const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  const int iterations = int(internal::parameter(np, CGAL::internal_np::number_of_iterations, 1));
-  return make_gradient_domain_solver(tm, region, np).filter(in, out, iterations);
+  return make_gradient_domain_solver(region, tm, np).filter(in, out, int(internal::parameter(np, CGAL::internal_np::number_of_iterations, 1)));
+}
+
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * does so on a soup, with any number of polygons at an edge. Property maps have indices, of type `std::size_t`, as keys.
+ *
+ * \param points a model of `RandomAccessContainer` of points
+ * \param polygons a model of `RandomAccessContainer` whose value is a range of indices of points
+ * \param in, out, np as above
+ */
+template <class PointRange, class PolygonRange, class InMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_range<const PointRange>, class = internal::Enable_if_range<const PolygonRange>, class = void>
+Error_code process_signal(const PointRange& points, const PolygonRange& polygons, InMap in, OutMap out, const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return make_gradient_domain_solver(points, polygons, np).filter(in, out, int(internal::parameter(np, CGAL::internal_np::number_of_iterations, 1)));
+}
+
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * does so in a region of a soup, a range of indices of polygons.
+ */
+template <class FaceRange, class PointRange, class PolygonRange, class InMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_range<const PointRange>, class = internal::Enable_if_range<const PolygonRange> >
+Error_code process_signal(const FaceRange& region, const PointRange& points, const PolygonRange& polygons, InMap in, OutMap out, const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return make_gradient_domain_solver(region, points, polygons, np).filter(in, out, int(internal::parameter(np, CGAL::internal_np::number_of_iterations, 1)));
 }
 
 } // namespace Gradient_domain_processing

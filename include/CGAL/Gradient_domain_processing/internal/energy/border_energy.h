@@ -7,142 +7,130 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_BORDER_ENERGY_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_BORDER_ENERGY_H
 
+#include <CGAL/Gradient_domain_processing/Default_sparse_linear_solver.h>
 #include <CGAL/Gradient_domain_processing/Error_code.h>
-#include <CGAL/Gradient_domain_processing/internal/energy/assembly.h>
-#include <CGAL/Gradient_domain_processing/internal/energy/Linear_system.h>
-
-#include <Eigen/SparseCholesky>
+#include <CGAL/Gradient_domain_processing/internal/energy/floating_components.h>
+#include <CGAL/Gradient_domain_processing/internal/energy/right_hand_side.h>
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/Linear_solver.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/border_edges.h>
 
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// An edge with one triangle, from corner to the next corner of it.
-struct Border_edge
+// The one-dimensional problem on the border curves: the energy with lengths in place of areas and the derivative along the border
+// in place of the gradient, (alpha M_1 + beta S_1) (g - f) = beta (D_1 v - S_1 f).
+class Border_energy
 {
-  int triangle, from, to; // corners
-  double length;
-};
+  const Indexed_triangles& m_mesh;
+  const Energy_weights& m_weights;
+  std::vector<Border_edge> m_edges;
+  std::vector<double> m_lengths;
+  Degrees_of_freedom m_dofs;
 
-inline std::vector<Border_edge> border_edges(const Indexed_triangles& mesh)
-{
-  std::vector<Border_edge> edges;
-  for(int v = 0; v < mesh.number_of_vertices(); ++v)
-    for(const int* c = mesh.corners.begin(v); c != mesh.corners.end(v); ++c)
-    {
-      const int a = mesh.opposite_vertices(*c)[0];
-      const bool has_opposite = std::any_of(mesh.corners.begin(v), mesh.corners.end(v),
-                                            [&](int other) { return mesh.opposite_vertices(other)[1] == a; });
-      if(!has_opposite)
-        edges.push_back({*c / 3, *c % 3, (*c % 3 + 1) % 3, (mesh.points[v] - mesh.points[a]).norm()});
-    }
-  double longest = 0;
-  for(const Border_edge& e : edges)
-    longest = (std::max)(longest, e.length);
-  for(Border_edge& e : edges)
-    e.length = (std::max)(e.length, degeneracy_ratio * longest);
-  return edges;
-}
-
-// Whether a piece of border that is stiff has neither a held vertex nor a value weight to hold it.
-inline bool has_floating_border(const Indexed_triangles& mesh, const Weights& weights, const std::vector<Border_edge>& edges,
-                                const std::vector<int>& column, int n)
-{
-  std::vector<int> parent(n);
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int i) {
-    while(parent[i] != i)
-      i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  const auto for_each_edge = [&](const auto& work) {
-    for(const Border_edge& e : edges)
+public:
+  // Only border vertices that are not constrained move.
+  Border_energy(const Indexed_triangles& mesh, const Energy_weights& weights, const std::vector<char>& is_constrained)
+    : m_mesh(mesh), m_weights(weights), m_edges(border_edges(mesh))
+  {
+    double longest = 0;
+    std::vector<char> is_free(mesh.points.size(), 0);
+    for(const Border_edge& e : m_edges)
     {
       const auto& t = mesh.triangles[e.triangle];
-      work(t[e.from], t[e.to], weights.gradient_at(e.triangle) > 0);
+      m_lengths.push_back((mesh.points[t[e.from]] - mesh.points[t[e.to]]).norm());
+      longest = (std::max)(longest, m_lengths.back());
+      for(int v : {t[e.from], t[e.to]})
+        is_free[v] = !is_constrained[v];
     }
-  };
-  for_each_edge([&](int v, int w, bool is_stiff) {
-    if(is_stiff && column[v] >= 0 && column[w] >= 0)
-      parent[root(column[v])] = root(column[w]);
-  });
-  std::vector<char> is_held(n, 0), floats(n, 0);
-  for_each_edge([&](int v, int w, bool is_stiff) {
-    const bool has_value = weights.value_at(v) > 0 || weights.value_at(w) > 0;
-    for(int i : {column[v], column[w]})
-      if(i >= 0)
-      {
-        is_held[root(i)] |= has_value || (is_stiff && (column[v] < 0 || column[w] < 0));
-        floats[root(i)] |= is_stiff;
-      }
-  });
-  for(int i = 0; i < n; ++i)
-    if(floats[i] && !is_held[i])
-      return true;
-  return false;
-}
-
-// Solves the one-dimensional problem on the border curves: the energy with lengths in place of areas and the derivative along
-// the border in place of the gradient. Only border vertices that are not `held` move.
-template <class Excess>
-Error_code displace_border(const Indexed_triangles& mesh, const Weights& weights, const std::vector<char>& is_held,
-                           const Excess& excess, int channels, Signal& displacement)
-{
-  std::vector<int> column(mesh.number_of_vertices(), -1), vertex;
-  const std::vector<Border_edge> edges = border_edges(mesh);
-  for(const Border_edge& e : edges)
-    for(int corner : {e.from, e.to})
-    {
-      const int v = mesh.triangles[e.triangle][corner];
-      if(!is_held[v] && column[v] < 0)
-      {
-        column[v] = int(vertex.size());
-        vertex.push_back(v);
-      }
-    }
-  if(vertex.empty())
-    return OK;
-
-  const int n = int(vertex.size());
-  if(has_floating_border(mesh, weights, edges, column, n))
-    return ERROR_UNCONSTRAINED;
-  std::vector<Eigen::Triplet<double> > entries; // a border is short
-  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, channels);
-  for(const Border_edge& e : edges)
-  {
-    const auto& t = mesh.triangles[e.triangle];
-    const int ends[2] = {t[e.from], t[e.to]}, corner[2] = {e.from, e.to};
-    const double stiffness = weights.gradient_at(e.triangle) / e.length;
-    for(int i = 0; i < 2; ++i)
-    {
-      const int row = column[ends[i]], other = column[ends[1 - i]];
-      if(row < 0)
-        continue;
-      const double here = weights.value_at(ends[i]), there = weights.value_at(ends[1 - i]);
-      entries.emplace_back(row, row, e.length * (here / 4 + there / 12) + stiffness);
-      if(other >= 0)
-        entries.emplace_back(row, other, e.length * (here + there) / 12 - stiffness);
-      const auto along = excess(e.triangle, corner[i], corner[1 - i]);
-      for(int channel = 0; channel < channels; ++channel)
-        right(row, channel) -= stiffness * along[channel];
-    }
+    for(double& length : m_lengths)
+      length = (std::max)(length, degeneracy_ratio * longest);
+    m_dofs = numbered_in_memory_order(is_free); // curves fill in alike in any order
   }
-  Sparse_matrix matrix(n, n);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  for(int i = 0; i < n; ++i)
-    if(matrix.coeff(i, i) == 0)
-      matrix.coeffRef(i, i) = 1;
-  Eigen::SimplicialLLT<Sparse_matrix> solver(matrix);
-  if(solver.info() != Eigen::Success)
-    return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
-  const Eigen::MatrixXd solution = solver.solve(right);
-  for(int i = 0; i < n; ++i)
-    displacement.row(vertex[i]) = solution.row(i);
-  return OK;
+
+  const std::vector<Border_edge>& edges() const { return m_edges; }
+
+  // The change of the border vertices, in their rows of `displacement`; the others stay.
+  template <class Target_field>
+  Error_code displace(const Target_field& target, Signal& displacement) const
+  {
+    if(m_dofs.size() == 0)
+      return ok;
+    Eigen::MatrixXd residual = Eigen::MatrixXd::Zero(m_dofs.size(), target.channels());
+    Any_channels along(target.channels());
+    for(std::size_t e = 0; e < m_edges.size(); ++e)
+      for(bool is_reversed : {false, true})
+      {
+        const int from = is_reversed ? m_edges[e].to : m_edges[e].from, to = is_reversed ? m_edges[e].from : m_edges[e].to;
+        const int row = m_dofs.of_vertex[m_mesh.triangles[m_edges[e].triangle][from]];
+        if(row < 0)
+          continue;
+        target.residual(m_edges[e].triangle, from, to, along);
+        for(int channel = 0; channel < along.size(); ++channel)
+          residual(row, channel) -= stiffness(e) * along[channel];
+      }
+    if(const Error_code code = solve(residual))
+      return code;
+    for(int i = 0; i < m_dofs.size(); ++i)
+      displacement.row(m_dofs.vertex[i]) = residual.row(i);
+    return ok;
+  }
+
+private:
+  double stiffness(std::size_t e) const { return m_weights.gradient_at(m_edges[e].triangle) / m_lengths[e]; }
+
+  Sparse_matrix matrix() const
+  {
+    std::vector<Eigen::Triplet<double> > entries; // a border is short
+    std::vector<char> is_at_rest(m_dofs.vertex.size(), 1);
+    for(std::size_t e = 0; e < m_edges.size(); ++e)
+    {
+      const auto& t = m_mesh.triangles[m_edges[e].triangle];
+      const int ends[2] = {t[m_edges[e].from], t[m_edges[e].to]};
+      for(int i = 0; i < 2; ++i)
+      {
+        const int row = m_dofs.of_vertex[ends[i]], column = m_dofs.of_vertex[ends[1 - i]];
+        if(row < 0)
+          continue;
+        // the integral of alpha phi_v phi_x with alpha linear on the edge
+        const double here = m_weights.value_at(ends[i]), there = m_weights.value_at(ends[1 - i]);
+        const double diagonal = m_lengths[e] * (here / 4 + there / 12) + stiffness(e);
+        entries.emplace_back(row, row, diagonal);
+        if(diagonal != 0)
+          is_at_rest[row] = 0;
+        if(column >= 0)
+          entries.emplace_back(row, column, m_lengths[e] * (here + there) / 12 - stiffness(e));
+      }
+    }
+    for(int i = 0; i < m_dofs.size(); ++i)
+      if(is_at_rest[i])
+        entries.emplace_back(i, i, 1.);
+    Sparse_matrix result(m_dofs.size(), m_dofs.size());
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+  }
+
+  Error_code solve(Eigen::MatrixXd& residual) const
+  {
+    const Sparse_matrix a = matrix();
+    Linear_solver<Default_sparse_linear_solver> solver((Default_sparse_linear_solver()));
+    if(const Error_code code = solver.factorize(a))
+      return code;
+    return solver.solve(residual, residual);
+  }
+};
+
+template <class Target_field>
+Error_code displace_border(const Indexed_triangles& mesh, const Energy_weights& weights, const std::vector<char>& is_constrained,
+                           const Target_field& target, Signal& displacement)
+{
+  const Border_energy energy(mesh, weights, is_constrained);
+  if(has_floating_border(mesh, energy.edges(), weights, is_constrained))
+    return error_unconstrained;
+  return energy.displace(target, displacement);
 }
 
 } // namespace internal

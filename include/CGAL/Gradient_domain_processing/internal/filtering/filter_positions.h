@@ -7,62 +7,53 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FILTER_POSITIONS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FILTER_POSITIONS_H
 
-#include <CGAL/Gradient_domain_processing/Gradient_domain_solver.h>
-
-#include <vector>
+#include <CGAL/Gradient_domain_processing/internal/filtering/move_positions.h>
+#include <CGAL/Gradient_domain_processing/internal/filtering/read_parameters.h>
 
 namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-template <class TriangleMesh, class NamedParameters>
-auto writable_points(TriangleMesh& tm, const NamedParameters& np)
+// The same factor applied several times to what is still missing, g_i = g_(i-1) + (alpha M + beta S)^-1 alpha M (f - g_(i-1)): a
+// wave that one pass multiplies by s keeps 1 - (1 - s)^order, which is flat at long waves. What is missing after one is minus the change
+// that smoothing makes of it.
+template <class Linear_solver_type>
+Error_code smooth_without_shrinking(Filter<Linear_solver_type>& filter, int order)
 {
-  return parameter(np, CGAL::internal_np::vertex_point, get_property_map(CGAL::vertex_point, tm));
-}
-
-// Runs passes over the positions in the solver's arrays and writes the mesh when all went well.
-template <class Solver, class TriangleMesh, class NamedParameters, class Passes>
-Error_code change_positions(Solver& solver, TriangleMesh& tm, const NamedParameters& np, const Passes& passes,
-                            bool restores_volume_by_default = false)
-{
-  if(solver.error() != OK)
-    return solver.error();
-  const bool restores_volume = parameter(np, CGAL::internal_np::restore_volume, restores_volume_by_default);
-  if(restores_volume && !solver.encloses_volume())
-    return ERROR_NO_VOLUME;
-  Indexed_triangles& mesh = solver.system().mesh;
-  const std::vector<Vec3> before = restores_volume ? mesh.points : std::vector<Vec3>();
-
-  if(const Error_code code = passes())
-    return code;
-
-  if(restores_volume)
-    restore_volumes(mesh, before, mesh.points);
-  return solver.write_points(writable_points(tm, np));
+  Signal missing = as_signal(filter.mesh().points), change;
+  for(int i = 0; i < order; ++i)
+  {
+    if(const Error_code code = filter.solve_by_vertex(missing, change))
+      return code;
+    missing = -change;
+  }
+  filter.move_points(-missing);
+  return ok;
 }
 
 // v = lambda grad f with the positions as signal; the metric follows the positions from pass to pass.
-template <class Solver, class TriangleMesh, class NamedParameters>
-Error_code filter_positions(Solver solver, TriangleMesh& tm, double default_scale, const NamedParameters& np)
+template <class Solver, class PointMap, class NamedParameters>
+Error_code filter_positions(Solver solver, PointMap point_map, double default_scale, const NamedParameters& np)
 {
   using namespace CGAL::internal_np;
-  const int iterations = int(parameter(np, number_of_iterations, 1));
-  if(iterations < 0)
-    return ERROR_INVALID_PARAMETER;
+  const int iterations = int(parameter(np, number_of_iterations, 1)), order = int(parameter(np, non_shrinking_order, 1));
+  if(iterations < 0 || order < 1)
+    return error_invalid_parameter;
   if(!Has_parameter<gradient_scale_t, NamedParameters>::value && !Has_parameter<face_gradient_scale_map_t, NamedParameters>::value)
     solver.set_gradient_scale(default_scale);
 
-  return change_positions(solver, tm, np, [&] {
+  return move_positions(solver, point_map, np, [&](const auto& end_of_pass) {
     for(int i = 0; i < iterations; ++i)
     {
       if(i > 0)
         if(const Error_code code = solver.set_metric_from_parameters(np))
           return code;
-      if(const Error_code code = solver.filter_points())
+      if(const Error_code code = order == 1 ? solver.arrays().filter_points() : smooth_without_shrinking(solver.arrays(), order))
+        return code;
+      if(const Error_code code = end_of_pass())
         return code;
     }
-    return OK;
+    return ok;
   });
 }
 

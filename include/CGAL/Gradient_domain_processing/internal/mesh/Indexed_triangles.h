@@ -105,11 +105,12 @@ struct Indexed_triangles
     return {{t[(i + 1) % 3], t[(i + 2) % 3]}};
   }
 
-  // Twice the area times the normal.
-  Vec3 area_vector(int f) const
+  // Twice the area times the normal; with the vertices elsewhere.
+  Vec3 area_vector(int f) const { return area_vector(f, points); }
+  Vec3 area_vector(int f, const std::vector<Vec3>& at) const
   {
     const auto& t = triangles[f];
-    return (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]);
+    return (at[t[1]] - at[t[0]]).cross(at[t[2]] - at[t[0]]);
   }
 
   // The neighbors of every vertex.
@@ -144,19 +145,28 @@ struct Indexed_triangles
   }
 
   // Sums of the area-weighted normals of the incident triangles, normalized; zero where they cancel.
-  std::vector<Vec3> vertex_normals(bool parallel) const
+  std::vector<Vec3> vertex_normals(bool parallel) const { return vertex_normals(points, parallel); }
+  std::vector<Vec3> vertex_normals(const std::vector<Vec3>& at, bool parallel) const
   {
-    std::vector<Vec3> normals(points.size());
-    parallel_for(parallel, points.size(), [&](std::size_t v) {
+    std::vector<Vec3> normals(at.size());
+    parallel_for(parallel, at.size(), [&](std::size_t v) {
       Vec3 sum(0, 0, 0);
       for(const int* c = corners.begin(int(v)); c != corners.end(int(v)); ++c)
-        sum += area_vector(*c / 3);
+        sum += area_vector(*c / 3, at);
       const double length = sum.norm();
       normals[v] = length > 0 ? Vec3(sum / length) : Vec3(0, 0, 0);
     });
     return normals;
   }
 };
+
+inline std::vector<Vec3> as_vectors(const Signal& signal)
+{
+  std::vector<Vec3> vectors(std::size_t(signal.rows()));
+  for(std::size_t v = 0; v < vectors.size(); ++v)
+    vectors[v] = signal.row(Eigen::Index(v)).transpose();
+  return vectors;
+}
 
 inline Signal as_signal(const std::vector<Vec3>& vectors)
 {

@@ -17,13 +17,14 @@ namespace Gradient_domain_processing {
 namespace internal {
 
 // Scales every component about its centroid (that of its surface) so that it encloses the volume it enclosed with the points
-// `before`. A component whose volume is the same, that has none, or that is turned inside out is left as it is.
-inline void restore_volumes(const Indexed_triangles& mesh, const std::vector<Vec3>& before, std::vector<Vec3>& after)
+// `before`. A component that has none, or whose volume is the same, is left as it is. False where one has collapsed or is turned
+// inside out.
+inline bool restore_volumes(const Indexed_triangles& mesh, const std::vector<Vec3>& before, std::vector<Vec3>& after)
 {
   const Components components = connected_components(mesh);
   struct Sums
   {
-    double volume_before = 0, volume_after = 0, area = 0;
+    double volume_before = 0, volume_after = 0, area_before = 0, area = 0;
     Vec3 moment = Vec3::Zero(), origin = Vec3::Zero();
     bool has_origin = false;
   };
@@ -42,20 +43,26 @@ inline void restore_volumes(const Indexed_triangles& mesh, const std::vector<Vec
     };
     s.volume_before += volume(before);
     s.volume_after += volume(after);
+    s.area_before += (before[t[1]] - before[t[0]]).cross(before[t[2]] - before[t[0]]).norm() / 2;
     const Vec3 &a = after[t[0]], &b = after[t[1]], &c = after[t[2]];
     const double area = (b - a).cross(c - a).norm() / 2;
     s.area += area;
     s.moment += area / 3 * ((a - s.origin) + (b - s.origin) + (c - s.origin));
   }
+  for(const Sums& s : sums)
+    if(std::abs(s.volume_before) > 1e-9 * std::pow(s.area_before, 1.5)
+       && !(s.volume_before / s.volume_after > 0 && std::isfinite(s.volume_before / s.volume_after) && s.area > 0))
+      return false;
   for(int v = 0; v < mesh.number_of_vertices(); ++v)
   {
     const Sums& s = sums[components.of_vertex[v]];
     const double ratio = s.volume_before / s.volume_after;
-    if(!s.has_origin || !(ratio > 0) || ratio == 1 || !std::isfinite(ratio) || !(s.area > 0))
+    if(!(ratio > 0) || ratio == 1 || !std::isfinite(ratio) || !(s.area > 0))
       continue;
     const Vec3 centroid = s.origin + s.moment / s.area;
     after[v] = centroid + std::cbrt(ratio) * (after[v] - centroid);
   }
+  return true;
 }
 
 } // namespace internal

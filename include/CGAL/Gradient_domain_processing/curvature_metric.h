@@ -4,51 +4,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_METRICS_H
-#define CGAL_GRADIENT_DOMAIN_PROCESSING_METRICS_H
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_CURVATURE_METRIC_H
+#define CGAL_GRADIENT_DOMAIN_PROCESSING_CURVATURE_METRIC_H
 
 #include <CGAL/Gradient_domain_processing/Gradient_domain_solver.h>
+#include <CGAL/Gradient_domain_processing/internal/filtering/write_metrics.h>
 
 namespace CGAL {
 namespace Gradient_domain_processing {
-
-namespace internal {
-
-template <class Solver, class FaceMetricMap>
-Error_code write_metrics(Solver solver, FaceMetricMap metrics)
-{
-  if(solver.error() != OK)
-    return solver.error();
-  const double unit = solver.system().mesh.unit();
-  for(std::size_t f = 0; f < solver.elements().faces.size(); ++f)
-    put(metrics, solver.elements().faces[f], solver.system().metric(int(f)).scaled(unit * unit));
-  return OK;
-}
-
-} // namespace internal
-
-/*!
- * \ingroup PkgGradientDomainProcessingRef
- *
- * writes the metric of the embedding of every face, \f$ g_{ij} = \langle t_i, t_j \rangle \f$ (paper, appendix A): a start for
- * metrics of your own.
- *
- * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
- * \tparam FaceMetricMap a model of `WritablePropertyMap` with key `face_descriptor` and value `Triangle_metric`
- *
- * \param tm the triangle mesh; it is not changed
- * \param metrics the result, in squared lengths of the mesh. The area of a degenerate face is raised to \f$ 0.75 \cdot 10^{-8} \f$ times its
- *        largest squared edge length, so that every tensor is positive definite (unless all three vertices coincide).
- * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `vertex_point_map`, `vertex_index_map`
- *
- * \return `OK`; or what is wrong, and then `metrics` is as it was
- */
-template <class TriangleMesh, class FaceMetricMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
-Error_code embedding_metric(const TriangleMesh& tm, FaceMetricMap metrics, const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  return internal::write_metrics(
-    make_gradient_domain_solver(tm, parameters::with(np).curvature_metric_kind(Curvature_metric_kind::EMBEDDING)), metrics);
-}
 
 /*!
  * \ingroup PkgGradientDomainProcessingRef
@@ -67,7 +30,7 @@ Error_code embedding_metric(const TriangleMesh& tm, FaceMetricMap metrics, const
  *        `vertex_curvature_map`, `vertex_normal_map`, `area_normalization`, `sparse_linear_solver`, `concurrency_tag`, `visitor`,
  *        `vertex_point_map`, `vertex_index_map` of `Gradient_domain_solver`
  *
- * \return `OK`; or what is wrong, and then `metrics` is as it was
+ * \return `ok`; or what is wrong, and then `metrics` is as it was
  */
 template <class TriangleMesh, class FaceMetricMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Error_code curvature_metric(const TriangleMesh& tm, FaceMetricMap metrics, const CGAL_NP_CLASS& np = parameters::default_values())
@@ -81,4 +44,4 @@ Error_code curvature_metric(const TriangleMesh& tm, FaceMetricMap metrics, const
 } // namespace Gradient_domain_processing
 } // namespace CGAL
 
-#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_METRICS_H
+#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_CURVATURE_METRIC_H

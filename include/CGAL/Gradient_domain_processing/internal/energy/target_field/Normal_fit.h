@@ -1,0 +1,93 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_TARGET_FIELD_NORMAL_FIT_H
+#define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_TARGET_FIELD_NORMAL_FIT_H
+
+#include <CGAL/Gradient_domain_processing/enum.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/Indexed_triangles.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Gradient_domain_processing {
+namespace internal {
+
+// The smallest rotation that takes the unit vector `from` to the unit vector `to`, of x.
+inline Vec3 rotated(const Vec3& from, const Vec3& to, const Vec3& x)
+{
+  const double c = from.dot(to);
+  if(1 + c < 1e-12)
+    return -x; // any half turn
+  const Vec3 sum = from + to;
+  return x - sum.dot(x) / (1 + c) * sum + 2 * from.dot(x) * to;
+}
+
+// v = (I - m m^T) grad x: every triangle is asked to lie in a plane.
+//
+// Faces: the normal m is that of the triangle, turned as the wanted normals at its corners are against those that the mesh has there. So
+// creases, where no vertex has the normal of a face, stay as they are unless the normals ask for something else.
+//
+// Edges: the authors' form (after Yu et al. 2004), with the sum of the wanted normals at the ends in place of m for every edge. Its
+// targets do not add up to zero around a triangle; in caps, whose cotangents are large, that throws vertices far away, so these take the
+// form of the faces.
+class Normal_fit
+{
+  const Indexed_triangles& m_mesh;
+  const Signal& m_normals; // wanted, by row
+  std::vector<Vec3> m_planes; // by triangle: its normal m; zero where the triangle, or what is wanted, has none
+  std::vector<char> m_is_by_edges;
+
+public:
+  Normal_fit(const Indexed_triangles& mesh, const Signal& normals_of_mesh, const Signal& wanted, Normal_fit_kind kind)
+    : m_mesh(mesh), m_normals(wanted), m_planes(mesh.triangles.size()), m_is_by_edges(mesh.triangles.size())
+  {
+    constexpr double height_of_caps = 1e-4; // the slivers of usual meshes are above it
+    for(int f = 0; f < mesh.number_of_triangles(); ++f)
+    {
+      const Triangle_metric metric = mesh.embedding_metric(f);
+      m_is_by_edges[f] = kind == Normal_fit_kind::EDGES && metric.sqrt_determinant() > height_of_caps * metric.max_squared_length();
+      if(!m_is_by_edges[f])
+        m_planes[f] = plane(f, normals_of_mesh);
+    }
+  }
+
+  static constexpr int channels() { return 3; }
+
+  template <class Channels>
+  void residual(int f, int i, int j, Channels& along) const
+  {
+    const auto& t = m_mesh.triangles[f];
+    const auto& rows = m_mesh.rows_of(f);
+    const Vec3 edge = m_mesh.points[t[j]] - m_mesh.points[t[i]];
+    const Vec3 n = m_is_by_edges[f] ? Vec3((m_normals.row(rows[i]) + m_normals.row(rows[j])).transpose()) : m_planes[f];
+    const double squared_length = n.squaredNorm();
+    const double beyond = squared_length > 0 ? -n.dot(edge) / squared_length : 0.;
+    for(int channel = 0; channel < 3; ++channel)
+      along[channel] = beyond * n[channel];
+  }
+
+private:
+  Vec3 plane(int f, const Signal& normals_of_mesh) const
+  {
+    const Vec3 normal = m_mesh.area_vector(f).stableNormalized();
+    Vec3 has(0, 0, 0), wants(0, 0, 0);
+    for(int i = 0; i < 3; ++i)
+    {
+      has += normals_of_mesh.row(m_mesh.rows_of(f)[i]).transpose();
+      wants += m_normals.row(m_mesh.rows_of(f)[i]).transpose();
+    }
+    if(!(normal.squaredNorm() > 0) || !(has.squaredNorm() > 0) || !(wants.squaredNorm() > 0))
+      return Vec3(0, 0, 0);
+    return rotated(has.stableNormalized(), wants.stableNormalized(), normal);
+  }
+};
+
+} // namespace internal
+} // namespace Gradient_domain_processing
+} // namespace CGAL
+
+#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_TARGET_FIELD_NORMAL_FIT_H

@@ -1,0 +1,39 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_OWN_NORMALS_H
+#define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_OWN_NORMALS_H
+
+#include <CGAL/Gradient_domain_processing/parameters.h>
+#include <CGAL/Gradient_domain_processing/internal/filtering/Filter.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/signals.h>
+
+namespace CGAL {
+namespace Gradient_domain_processing {
+namespace internal {
+
+// The normals that the surface has at its vertices, by row: the caller's, or sums of area-weighted normals.
+template <class Solver, class Surface, class NamedParameters>
+Error_code read_own_normals(const NamedParameters& np, const Surface_elements<Surface>& elements, Filter<Solver>& filter, Signal& normals)
+{
+  const Indexed_triangles& mesh = filter.mesh();
+  if constexpr (Has_parameter<CGAL::internal_np::vertex_normal_map_t, NamedParameters>::value)
+    return read_vectors(parameter(np, CGAL::internal_np::vertex_normal_map, 0), elements, mesh, filter.culprit, normals);
+  else
+  {
+    const std::vector<Vec3> at_vertices = mesh.vertex_normals(filter.system.parallel);
+    normals.resize(mesh.number_of_rows(), 3);
+    for(int row = 0; row < mesh.number_of_rows(); ++row)
+      normals.row(row) = at_vertices[mesh.vertex_of(row)].transpose();
+    return ok;
+  }
+}
+
+} // namespace internal
+} // namespace Gradient_domain_processing
+} // namespace CGAL
+
+#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_OWN_NORMALS_H

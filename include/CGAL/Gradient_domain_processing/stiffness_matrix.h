@@ -1,0 +1,37 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_STIFFNESS_MATRIX_H
+#define CGAL_GRADIENT_DOMAIN_PROCESSING_STIFFNESS_MATRIX_H
+
+#include <CGAL/Gradient_domain_processing/internal/energy/matrices.h>
+
+namespace CGAL {
+namespace Gradient_domain_processing {
+
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * assembles the stiffness matrix \f$ S_{ij} = \int \langle \nabla \phi_i, \nabla \phi_j \rangle \f$ (paper, appendix A.4), positive
+ * semi-definite, the cotangent Laplacian with positive diagonal under the metric of the embedding. Its rows sum up to zero; \f$ S = D G \f$.
+ *
+ * \param tm the triangle mesh
+ * \param stiffness the result, \f$ |V| \times |V| \f$, symmetric and stored as a whole, without unit
+ * \param np as those of `mass_matrix()`
+ *
+ * \return `ok`; or what is wrong, and then the matrix is as it was
+ */
+template <class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Error_code stiffness_matrix(const TriangleMesh& tm, Eigen::SparseMatrix<double>& stiffness,
+                            const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return internal::assemble_matrix(tm, 0, 1, np, stiffness);
+}
+
+} // namespace Gradient_domain_processing
+} // namespace CGAL
+
+#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_STIFFNESS_MATRIX_H
