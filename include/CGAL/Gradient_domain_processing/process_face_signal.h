@@ -8,14 +8,133 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_PROCESS_FACE_SIGNAL_H
 
 #include <CGAL/Gradient_domain_processing/Gradient_domain_solver.h>
-#include <CGAL/Gradient_domain_processing/internal/denoising/Face_system.h>
+#include <CGAL/Gradient_domain_processing/internal/denoising/filter_face_signal.h>
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Gradient_domain_processing {
+
+namespace internal {
+
+template <class Solver, class InMap>
+Error_code read_face_signal(Solver& solver, InMap in, Signal& signal)
+{
+  typedef Signal_traits<typename boost::property_traits<InMap>::value_type> Traits;
+  const auto& faces = solver.elements().faces;
+  signal.resize(Eigen::Index(faces.size()), Traits::dimension);
+  for(std::size_t f = 0; f < faces.size(); ++f)
+  {
+    const auto& value = get(in, faces[f]);
+    for(int i = 0; i < Traits::dimension; ++i)
+    {
+      signal(Eigen::Index(f), i) = Traits::channel(value, i);
+      if(!std::isfinite(signal(Eigen::Index(f), i)))
+        return solver.invalid_face(ERROR_INVALID_SIGNAL, f);
+    }
+  }
+  return OK;
+}
+
+template <class Solver, class OutMap>
+Error_code write_face_signal(Solver& solver, const Signal& signal, OutMap out)
+{
+  typedef typename boost::property_traits<OutMap>::value_type Value;
+  typedef Signal_traits<Value> Traits;
+  const auto& faces = solver.elements().faces;
+  std::vector<Value> values;
+  values.reserve(faces.size());
+  for(std::size_t f = 0; f < faces.size(); ++f)
+  {
+    values.push_back(Traits::make(signal.row(Eigen::Index(f)).data()));
+    for(int i = 0; i < Traits::dimension; ++i)
+      if(!std::isfinite(Traits::channel(values.back(), i)))
+        return solver.invalid_face(ERROR_RESULT_OUT_OF_RANGE, f);
+  }
+  for(std::size_t f = 0; f < faces.size(); ++f)
+    put(out, faces[f], values[f]);
+  return OK;
+}
+
+// The length of an edge divided by the distance of the centroids of its faces.
+inline double default_edge_weight(const Indexed_triangles& mesh, int f, int g, int v, int w)
+{
+  const auto center = [&](int h) {
+    const auto& t = mesh.triangles[h];
+    return Vec3((mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3);
+  };
+  const double length = (mesh.points[v] - mesh.points[w]).norm();
+  return length / (std::max)((center(f) - center(g)).norm(), degeneracy_ratio * (length > 0 ? length : 1.));
+}
+
+template <class Solver, class TriangleMesh, class NamedParameters>
+Error_code read_face_energy(Solver& solver, const TriangleMesh& tm, const Dual_graph& dual, const NamedParameters& np, Face_energy& energy)
+{
+  namespace tag = CGAL::internal_np;
+  const Indexed_triangles& mesh = solver.system().mesh;
+  const Weights& weights = solver.system().weights();
+  const std::size_t n = mesh.triangles.size();
+  energy.values.resize(n);
+  energy.scales.resize(n);
+  energy.gradients.assign(n, {{0, 0, 0}});
+  for(int f = 0; f < dual.size(); ++f)
+  {
+    const double area = solver.system().metric(f).area();
+    energy.values[f] = weights.value * (area > 0 ? area : 1.); // a face shrunk to a point has no area, but a value
+    energy.scales[f] = weights.scale_at(f);
+    for(int i = 0; i < 3; ++i)
+    {
+      const int g = dual.neighbor(f, i), v = mesh.triangles[f][i], w = mesh.triangles[f][(i + 1) % 3];
+      if(g < 0)
+        continue;
+      double weight;
+      if constexpr (Has_parameter<tag::interior_edge_weight_map_t, NamedParameters>::value)
+      {
+        const auto h = halfedge(solver.elements().vertices[v], solver.elements().vertices[w], tm).first;
+        weight = CGAL::to_double(get(parameter(np, tag::interior_edge_weight_map, 0), edge(h, tm)));
+        if(!(weight >= 0) || !std::isfinite(weight))
+          return solver.invalid_face(ERROR_INVALID_WEIGHT, std::size_t(f));
+      }
+      else
+        weight = default_edge_weight(mesh, (std::min)(f, g), (std::max)(f, g), v, w);
+      energy.gradients[f][i] = (weights.gradient_at(f) + weights.gradient_at(g)) / 2 * weight;
+    }
+  }
+  return OK;
+}
+
+template <class Solver, class TriangleMesh, class InMap, class OutMap, class NamedParameters>
+Error_code process_face_signal(Solver solver, const TriangleMesh& tm, InMap in, OutMap out, const NamedParameters& np)
+{
+  typedef Signal_traits<typename boost::property_traits<InMap>::value_type> In_traits;
+  typedef Signal_traits<typename boost::property_traits<OutMap>::value_type> Out_traits;
+  static_assert(In_traits::dimension == Out_traits::dimension, "input and output have as many channels");
+  if(solver.error() != OK)
+    return solver.error();
+  if(solver.system().weights().value == 0)
+    return ERROR_UNCONSTRAINED;
+
+  const bool parallel = solver.system().parallel;
+  const Dual_graph dual(solver.system().mesh, parallel);
+  Signal signal;
+  if(const Error_code code = read_face_signal(solver, in, signal))
+    return code;
+  Face_energy energy;
+  if(const Error_code code = read_face_energy(solver, tm, dual, np, energy))
+    return code;
+  {
+    Stage_scope stage(solver.progress(), Stage::SOLVE);
+    if(const Error_code code = filter_face_signal(dual, std::move(energy), parallel, solver.progress(), signal))
+      return code;
+  }
+  return write_face_signal(solver, signal, out);
+}
+
+} // namespace internal
 
 /*!
  * \ingroup PkgGradientDomainProcessingRef
@@ -34,8 +153,8 @@ namespace Gradient_domain_processing {
  * \param tm the triangle mesh; it is not changed
  * \param in the signal \f$ f \f$
  * \param out the result \f$ g \f$; may be `in`
- * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `area_normalization`, `sparse_linear_solver`,
- *        `concurrency_tag`, `visitor`, `vertex_point_map`, `vertex_index_map` of `Gradient_domain_solver`, and
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `area_normalization`,
+ *        `face_gradient_weight_map`, `face_gradient_scale_map`, `concurrency_tag`, `visitor`, `vertex_point_map`, `vertex_index_map` of `Gradient_domain_solver`, and
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{value_weight}
@@ -62,90 +181,31 @@ namespace Gradient_domain_processing {
  *
  * \return `OK`; or what is wrong, and then `out` is as it was
  */
-template <class TriangleMesh, class InMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <class TriangleMesh, class InMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_mesh<OutMap> >
 Error_code process_face_signal(const TriangleMesh& tm, InMap in, OutMap out, const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  namespace tag = CGAL::internal_np;
-  typedef internal::Parameter_type<tag::sparse_linear_solver_t, CGAL_NP_CLASS, Default_sparse_linear_solver> Linear_solver_type;
-  typedef Signal_traits<typename boost::property_traits<InMap>::value_type> In_traits;
-  typedef typename boost::property_traits<OutMap>::value_type Out_value;
-  typedef Signal_traits<Out_value> Out_traits;
-  static_assert(In_traits::dimension == Out_traits::dimension, "input and output have as many channels");
+  return internal::process_face_signal(
+    make_gradient_domain_solver(tm, parameters::with(np).curvature_metric_kind(Curvature_metric_kind::EMBEDDING)), tm, in, out, np);
+}
 
-  auto solver = make_gradient_domain_solver(tm, parameters::with(np).curvature_metric_kind(Curvature_metric_kind::EMBEDDING));
-  if(solver.error() != OK)
-    return solver.error();
-  const internal::Indexed_triangles& mesh = solver.system().mesh;
-  const internal::Weights& weights = solver.system().weights();
-  const auto& faces = solver.elements().faces;
-  if(weights.value == 0)
-    return ERROR_UNCONSTRAINED;
-
-  internal::Signal signal(mesh.number_of_triangles(), In_traits::dimension);
-  std::vector<double> masses(faces.size());
-  for(std::size_t f = 0; f < faces.size(); ++f)
-  {
-    const auto& value = get(in, faces[f]);
-    for(int i = 0; i < In_traits::dimension; ++i)
-      signal(f, i) = In_traits::channel(value, i);
-    if(!signal.row(f).allFinite())
-      return solver.invalid_face(ERROR_INVALID_SIGNAL, f);
-    masses[f] = weights.value * solver.system().metric(int(f)).area();
-    if(masses[f] == 0)
-      masses[f] = weights.value; // a face shrunk to a point has no area, but a value
-  }
-
-  internal::Face_system<Linear_solver_type> system(internal::parameter(np, tag::sparse_linear_solver, Linear_solver_type()));
-  if(const Error_code code = system.analyze(mesh, solver.system().parallel, solver.progress()))
-    return code;
-
-  internal::Signal right = internal::Signal::Zero(signal.rows(), signal.cols());
-  std::vector<double> edge_weights;
-  edge_weights.reserve(system.edges().size());
-  const auto center = [&](int f) {
-    const auto& t = mesh.triangles[f];
-    return internal::Vec3((mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3);
-  };
-  for(const internal::Interior_edge& e : system.edges())
-  {
-    double weight;
-    if constexpr (internal::Has_parameter<tag::interior_edge_weight_map_t, CGAL_NP_CLASS>::value)
-    {
-      const auto h = halfedge(solver.elements().vertices[e.from], solver.elements().vertices[e.to], tm).first;
-      weight = CGAL::to_double(get(internal::parameter(np, tag::interior_edge_weight_map, 0), edge(h, tm)));
-      if(!(weight >= 0) || !std::isfinite(weight))
-        return solver.invalid_face(ERROR_INVALID_WEIGHT, std::size_t(e.first));
-    }
-    else
-    {
-      const double length = (mesh.points[e.from] - mesh.points[e.to]).norm();
-      const double distance = (center(e.first) - center(e.second)).norm();
-      weight = length / (std::max)(distance, internal::degeneracy_ratio * (length > 0 ? length : 1.));
-    }
-    edge_weights.push_back(weights.gradient * weight);
-    const auto flow = ((weights.scale - 1) * edge_weights.back() * (signal.row(e.first) - signal.row(e.second))).eval();
-    right.row(e.first) += flow;
-    right.row(e.second) -= flow;
-  }
-  if(const Error_code code = system.factorize(masses, edge_weights, solver.progress()))
-    return code;
-  internal::Signal change;
-  if(const Error_code code = system.solve(right, change, solver.progress()))
-    return code;
-
-  const internal::Signal result = signal + change;
-  std::vector<Out_value> values;
-  values.reserve(faces.size());
-  for(std::size_t f = 0; f < faces.size(); ++f)
-  {
-    values.push_back(Out_traits::make(result.row(f).data()));
-    for(int i = 0; i < Out_traits::dimension; ++i)
-      if(!std::isfinite(Out_traits::channel(values.back(), i)))
-        return solver.invalid_face(ERROR_RESULT_OUT_OF_RANGE, f);
-  }
-  for(std::size_t f = 0; f < faces.size(); ++f)
-    put(out, faces[f], values[f]);
-  return OK;
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * does so to a region of the mesh: its faces are all there is, and nothing flows across its border. The values of other faces stay.
+ *
+ * \param region a range of `face_descriptor`; may be empty
+ * \param tm the triangle mesh
+ * \param in the signal
+ * \param out the result
+ * \param np as above
+ */
+template <class FaceRange, class TriangleMesh, class InMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_mesh<OutMap> >
+Error_code process_face_signal(const FaceRange& region, const TriangleMesh& tm, InMap in, OutMap out,
+                               const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return internal::process_face_signal(
+    make_gradient_domain_solver(tm, region, parameters::with(np).curvature_metric_kind(Curvature_metric_kind::EMBEDDING)), tm, in, out, np);
 }
 
 } // namespace Gradient_domain_processing
