@@ -131,7 +131,7 @@ void keeps_what_it_must()
 
   // nothing moves where a parameter is out of its range
   mesh = noisy;
-  GDP_CHECK(GDP::denoise(mesh, GDP::parameters::normal_similarity_min(-1.)) == GDP::ERROR_INVALID_PARAMETER);
+  GDP_CHECK(GDP::denoise(mesh, GDP::parameters::noise_level(-1.)) == GDP::ERROR_INVALID_PARAMETER);
   GDP_CHECK(same_points(mesh, noisy));
 }
 

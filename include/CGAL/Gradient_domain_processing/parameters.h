@@ -49,20 +49,9 @@
   ADD(movable_axes)                    \
   ADD(missing_values)                  \
   ADD(noise_level)                     \
-  ADD(normal_similarity)               \
-  ADD(normal_similarity_decay)         \
-  ADD(normal_similarity_min)           \
-  ADD(normal_similarity_max)           \
-  ADD(normal_smoothing_weight)         \
-  ADD(normal_smoothing_growth)         \
-  ADD(normal_smoothing_weight_max)     \
-  ADD(number_of_normal_updates)        \
-  ADD(number_of_position_updates)      \
-  ADD(residual_correlation)            \
-  ADD(border_value_weight)             \
-  ADD(border_normal_decay)
+  ADD(noise_scale)                     \
+  ADD(denoising_summary)
 
-// The names that newer versions of CGAL have and older ones lack.
 #if CGAL_VERSION_NR < 1060000000
 #define CGAL_GDP_NAMES(ADD) CGAL_GDP_OWN_NAMES(ADD) ADD(concurrency_tag)
 #else

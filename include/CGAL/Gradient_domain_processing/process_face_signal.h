@@ -8,11 +8,7 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_PROCESS_FACE_SIGNAL_H
 
 #include <CGAL/Gradient_domain_processing/Gradient_domain_solver.h>
-#include <CGAL/Gradient_domain_processing/internal/denoising/Face_system.h>
-
-#include <cmath>
-#include <type_traits>
-#include <vector>
+#include <CGAL/Gradient_domain_processing/internal/filtering/face_signals.h>
 
 namespace CGAL {
 namespace Gradient_domain_processing {
@@ -34,8 +30,8 @@ namespace Gradient_domain_processing {
  * \param tm the triangle mesh; it is not changed
  * \param in the signal \f$ f \f$
  * \param out the result \f$ g \f$; may be `in`
- * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `area_normalization`, `sparse_linear_solver`,
- *        `concurrency_tag`, `visitor`, `vertex_point_map`, `vertex_index_map` of `Gradient_domain_solver`, and
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `area_normalization`,
+ *        `face_gradient_weight_map`, `face_gradient_scale_map`, `concurrency_tag`, `visitor`, `vertex_point_map`, `vertex_index_map` of `Gradient_domain_solver`, and
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{value_weight}
@@ -60,92 +56,45 @@ namespace Gradient_domain_processing {
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return `OK`; or what is wrong, and then `out` is as it was
+ * \return `ok`; or what is wrong, and then `out` is as it was
  */
-template <class TriangleMesh, class InMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <class TriangleMesh, class InMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_mesh<TriangleMesh> >
 Error_code process_face_signal(const TriangleMesh& tm, InMap in, OutMap out, const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  namespace tag = CGAL::internal_np;
-  typedef internal::Parameter_type<tag::sparse_linear_solver_t, CGAL_NP_CLASS, Default_sparse_linear_solver> Linear_solver_type;
-  typedef Signal_traits<typename boost::property_traits<InMap>::value_type> In_traits;
-  typedef typename boost::property_traits<OutMap>::value_type Out_value;
-  typedef Signal_traits<Out_value> Out_traits;
-  static_assert(In_traits::dimension == Out_traits::dimension, "input and output have as many channels");
+  return internal::process_face_signal(
+    make_gradient_domain_solver(tm, parameters::with(np).curvature_metric_kind(Curvature_metric_kind::EMBEDDING)), tm, in, out, np);
+}
 
-  auto solver = make_gradient_domain_solver(tm, parameters::with(np).curvature_metric_kind(Curvature_metric_kind::EMBEDDING));
-  if(solver.error() != OK)
-    return solver.error();
-  const internal::Indexed_triangles& mesh = solver.system().mesh;
-  const internal::Weights& weights = solver.system().weights();
-  const auto& faces = solver.elements().faces;
-  if(weights.value == 0)
-    return ERROR_UNCONSTRAINED;
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * does so to a region of the mesh: its faces are all there is, and nothing flows across its border. The values of other faces stay.
+ *
+ * \param region a range of `face_descriptor`; may be empty
+ * \param tm, in, out, np as above
+ */
+template <class FaceRange, class TriangleMesh, class InMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_mesh<TriangleMesh>, class = internal::Enable_if_range<const FaceRange> >
+Error_code process_face_signal(const FaceRange& region, const TriangleMesh& tm, InMap in, OutMap out,
+                               const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return internal::process_face_signal(
+    make_gradient_domain_solver(region, tm, parameters::with(np).curvature_metric_kind(Curvature_metric_kind::EMBEDDING)), tm, in, out, np);
+}
 
-  internal::Signal signal(mesh.number_of_triangles(), In_traits::dimension);
-  std::vector<double> masses(faces.size());
-  for(std::size_t f = 0; f < faces.size(); ++f)
-  {
-    const auto& value = get(in, faces[f]);
-    for(int i = 0; i < In_traits::dimension; ++i)
-      signal(f, i) = In_traits::channel(value, i);
-    if(!signal.row(f).allFinite())
-      return solver.invalid_face(ERROR_INVALID_SIGNAL, f);
-    masses[f] = weights.value * solver.system().metric(int(f)).area();
-    if(masses[f] == 0)
-      masses[f] = weights.value; // a face shrunk to a point has no area, but a value
-  }
-
-  internal::Face_system<Linear_solver_type> system(internal::parameter(np, tag::sparse_linear_solver, Linear_solver_type()));
-  if(const Error_code code = system.analyze(mesh, solver.system().parallel, solver.progress()))
-    return code;
-
-  internal::Signal right = internal::Signal::Zero(signal.rows(), signal.cols());
-  std::vector<double> edge_weights;
-  edge_weights.reserve(system.edges().size());
-  const auto center = [&](int f) {
-    const auto& t = mesh.triangles[f];
-    return internal::Vec3((mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3);
-  };
-  for(const internal::Interior_edge& e : system.edges())
-  {
-    double weight;
-    if constexpr (internal::Has_parameter<tag::interior_edge_weight_map_t, CGAL_NP_CLASS>::value)
-    {
-      const auto h = halfedge(solver.elements().vertices[e.from], solver.elements().vertices[e.to], tm).first;
-      weight = CGAL::to_double(get(internal::parameter(np, tag::interior_edge_weight_map, 0), edge(h, tm)));
-      if(!(weight >= 0) || !std::isfinite(weight))
-        return solver.invalid_face(ERROR_INVALID_WEIGHT, std::size_t(e.first));
-    }
-    else
-    {
-      const double length = (mesh.points[e.from] - mesh.points[e.to]).norm();
-      const double distance = (center(e.first) - center(e.second)).norm();
-      weight = length / (std::max)(distance, internal::degeneracy_ratio * (length > 0 ? length : 1.));
-    }
-    edge_weights.push_back(weights.gradient * weight);
-    const auto flow = ((weights.scale - 1) * edge_weights.back() * (signal.row(e.first) - signal.row(e.second))).eval();
-    right.row(e.first) += flow;
-    right.row(e.second) -= flow;
-  }
-  if(const Error_code code = system.factorize(masses, edge_weights, solver.progress()))
-    return code;
-  internal::Signal change;
-  if(const Error_code code = system.solve(right, change, solver.progress()))
-    return code;
-
-  const internal::Signal result = signal + change;
-  std::vector<Out_value> values;
-  values.reserve(faces.size());
-  for(std::size_t f = 0; f < faces.size(); ++f)
-  {
-    values.push_back(Out_traits::make(result.row(f).data()));
-    for(int i = 0; i < Out_traits::dimension; ++i)
-      if(!std::isfinite(Out_traits::channel(values.back(), i)))
-        return solver.invalid_face(ERROR_RESULT_OUT_OF_RANGE, f);
-  }
-  for(std::size_t f = 0; f < faces.size(); ++f)
-    put(out, faces[f], values[f]);
-  return OK;
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * does so to a soup of triangles. Property maps have indices, of type `std::size_t`, as keys; there is no `interior_edge_weight_map`.
+ */
+template <class PointRange, class TriangleRange, class InMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_range<const PointRange>, class = internal::Enable_if_range<const TriangleRange>, class = void>
+Error_code process_face_signal(const PointRange& points, const TriangleRange& triangles, InMap in, OutMap out,
+                               const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return internal::process_face_signal(
+    make_gradient_domain_solver(points, triangles, parameters::with(np).curvature_metric_kind(Curvature_metric_kind::EMBEDDING)),
+    triangles, in, out, np);
 }
 
 } // namespace Gradient_domain_processing

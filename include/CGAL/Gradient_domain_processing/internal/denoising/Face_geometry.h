@@ -7,7 +7,9 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_FACE_GEOMETRY_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_FACE_GEOMETRY_H
 
-#include <CGAL/Gradient_domain_processing/internal/denoising/Face_system.h>
+#include <CGAL/Gradient_domain_processing/internal/denoising/Dual_graph.h>
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -20,19 +22,19 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Normals of length one, zero where there is none, and areas, of all faces. Areas are bounded below by a millionth of their
-// mean, so that a system with them as masses is definite.
+// Normals of length one, zero where there is none, and areas, of all faces. Where the triangles are not oriented alike, normals are.
+// Areas are bounded below by a millionth of their mean, so that a system with them as masses is definite.
 struct Face_geometry
 {
   std::vector<Vec3> normals;
   std::vector<double> areas;
 
-  Face_geometry(const Indexed_triangles& mesh, bool parallel)
+  Face_geometry(const Indexed_triangles& mesh, const Dual_graph& dual, const std::vector<Vec3>& points, bool parallel)
     : normals(mesh.triangles.size()), areas(mesh.triangles.size())
   {
     parallel_for(parallel, normals.size(), [&](std::size_t f) {
       const auto& t = mesh.triangles[f];
-      const Vec3 n = (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]);
+      const Vec3 n = dual.sign(int(f)) * (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]);
       const double length = n.norm();
       normals[f] = length > 0 ? Vec3(n / length) : Vec3(0, 0, 0);
       areas[f] = length / 2;
@@ -79,15 +81,15 @@ struct Normal_variation
 
   Normal_variation() {}
 
-  Normal_variation(const Face_geometry& faces, const std::vector<Interior_edge>& edges, bool parallel)
+  Normal_variation(const std::vector<Vec3>& normals, const Dual_graph& dual, const Indexed_triangles& mesh)
   {
-    std::vector<double> differences(edges.size());
-    parallel_for(parallel, edges.size(), [&](std::size_t e) {
-      differences[e] = (faces.normals[edges[e].first] - faces.normals[edges[e].second]).norm();
+    std::vector<double> differences;
+    differences.reserve(normals.size() * 3 / 2);
+    dual.for_each_edge(mesh, [&](int f, int g, int, int) {
+      differences.push_back((normals[f] - normals[g]).norm());
+      root_mean_square += differences.back() * differences.back();
     });
-    for(double d : differences)
-      root_mean_square += d * d / double(edges.size());
-    root_mean_square = std::sqrt(root_mean_square);
+    root_mean_square = differences.empty() ? 0 : std::sqrt(root_mean_square / double(differences.size()));
     median = internal::median(std::move(differences));
   }
 

@@ -90,17 +90,16 @@ struct Roughness
 {
   double of_faces, of_border_faces;
 
-  Roughness(const Indexed_triangles& mesh, const Face_geometry& faces, const std::vector<Interior_edge>& edges)
+  Roughness(const Indexed_triangles& mesh, const Face_geometry& faces, const Dual_graph& dual)
   {
     std::vector<Vec3> sum(faces.normals.size(), Vec3(0, 0, 0));
     std::vector<int> degree(faces.normals.size(), 0);
-    for(const Interior_edge& e : edges)
-    {
-      sum[e.first] += faces.normals[e.second];
-      sum[e.second] += faces.normals[e.first];
-      ++degree[e.first];
-      ++degree[e.second];
-    }
+    dual.for_each_edge(mesh, [&](int f, int g, int, int) {
+      sum[f] += faces.normals[g];
+      sum[g] += faces.normals[f];
+      ++degree[f];
+      ++degree[g];
+    });
     std::vector<double> all, at_border;
     for(std::size_t f = 0; f < sum.size(); ++f)
       if(degree[f] > 0 && faces.normals[f] != Vec3(0, 0, 0))
@@ -115,14 +114,15 @@ struct Roughness
 };
 
 // A corner of two triangles in one plane was not displaced. Nearly all vertices of refined facets are such.
-inline bool is_faceted(const Indexed_triangles& mesh, const Face_geometry& faces, const std::vector<Interior_edge>& edges, double roughness)
+inline bool is_faceted(const Indexed_triangles& mesh, const Face_geometry& faces, const Dual_graph& dual, double roughness)
 {
   std::vector<char> is_in_place(mesh.points.size(), 0);
-  for(const Interior_edge& e : edges)
-    if((faces.normals[e.first] - faces.normals[e.second]).norm() <= 0.01 * roughness)
-      for(int f : {e.first, e.second})
-        for(int v : mesh.triangles[f])
+  dual.for_each_edge(mesh, [&](int f, int g, int, int) {
+    if((faces.normals[f] - faces.normals[g]).norm() <= 0.01 * roughness)
+      for(int h : {f, g})
+        for(int v : mesh.triangles[h])
           is_in_place[v] = 1;
+  });
   std::size_t inside = 0, in_place = 0;
   for(int v = 0; v < mesh.number_of_vertices(); ++v)
     if(!mesh.is_on_border[v] && mesh.corners.size(v) > 0)
@@ -165,22 +165,19 @@ public:
     }
   }
 
-  double share_of_noise(const Indexed_triangles& mesh, const std::vector<Interior_edge>& edges) const
+  double share_of_noise(const Indexed_triangles& mesh, const Dual_graph& dual) const
   {
     Pair_correlation along, across;
     const auto insert = [&](Pair_correlation& correlation, int v, int w) {
       if(!mesh.is_on_border[v] && !mesh.is_on_border[w])
         correlation.insert(m_offsets[v], m_offsets[w]);
     };
-    const auto apex = [&](int f, const Interior_edge& e) {
-      const auto& t = mesh.triangles[f];
-      return t[0] + t[1] + t[2] - e.from - e.to;
-    };
-    for(const Interior_edge& e : edges)
-    {
-      insert(along, e.from, e.to);
-      insert(across, apex(e.first, e), apex(e.second, e));
-    }
+    dual.for_each_edge(mesh, [&](int f, int g, int v, int w) {
+      const auto& s = mesh.triangles[f];
+      const auto& t = mesh.triangles[g];
+      insert(along, v, w);
+      insert(across, s[0] + s[1] + s[2] - v - w, t[0] + t[1] + t[2] - v - w);
+    });
     const double by_medians = noise_share(along.of_medians(), across.of_medians());
     const double by_means = noise_share(along.of_means(), across.of_means());
     return (std::min)(by_medians, by_means) == neither_noise_nor_detail ? 0 : (std::max)(by_medians, by_means);
@@ -193,16 +190,16 @@ public:
   }
 };
 
-inline Noise_estimate estimate_noise(const Indexed_triangles& mesh, const Face_geometry& faces, const std::vector<Interior_edge>& edges,
+inline Noise_estimate estimate_noise(const Indexed_triangles& mesh, const Face_geometry& faces, const Dual_graph& dual,
                                      const Lists& rings, bool parallel)
 {
   constexpr double normal_noise_by_roughness = 1.5;
   constexpr double level_of_clean_meshes = 0.07; // curvature and coarse triangulation look like so much noise
-  const double share_of_clean_meshes = 0.08 + 1 / std::sqrt(1. + double(edges.size())); // as exactly as a share is known
+  const double share_of_clean_meshes = 0.08 + 1 / std::sqrt(1. + 1.5 * double(faces.normals.size())); // as exactly as a share is known
 
-  const Roughness roughness(mesh, faces, edges);
+  const Roughness roughness(mesh, faces, dual);
   const Vertex_offsets offsets(mesh, vertex_normals(mesh, faces.areas, faces.normals, parallel), rings);
-  const double share = offsets.share_of_noise(mesh, edges);
+  const double share = offsets.share_of_noise(mesh, dual);
 
   Noise_estimate noise;
   noise.share = std::sqrt(share);
@@ -210,7 +207,7 @@ inline Noise_estimate estimate_noise(const Indexed_triangles& mesh, const Face_g
   if(roughness.of_border_faces < roughness.of_faces)
     noise.border_level = roughness.of_border_faces / roughness.of_faces;
   const double level = normal_noise_by_roughness * roughness.of_faces * noise.share;
-  if(share > share_of_clean_meshes && level > level_of_clean_meshes && !is_faceted(mesh, faces, edges, roughness.of_faces))
+  if(share > share_of_clean_meshes && level > level_of_clean_meshes && !is_faceted(mesh, faces, dual, roughness.of_faces))
     noise.level = std::sqrt(level * level - level_of_clean_meshes * level_of_clean_meshes);
   return noise;
 }

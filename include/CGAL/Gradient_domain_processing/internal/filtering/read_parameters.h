@@ -9,6 +9,7 @@
 
 #include <CGAL/Gradient_domain_processing/parameters.h>
 #include <CGAL/Gradient_domain_processing/internal/filtering/Filter.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/arrange.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/signals.h>
 
 #include <CGAL/number_utils.h>

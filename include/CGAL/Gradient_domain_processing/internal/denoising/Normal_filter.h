@@ -1,0 +1,89 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_NORMAL_FILTER_H
+#define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_NORMAL_FILTER_H
+
+#include <CGAL/Gradient_domain_processing/internal/denoising/Dual_system.h>
+#include <CGAL/Gradient_domain_processing/internal/denoising/Face_geometry.h>
+#include <CGAL/Gradient_domain_processing/internal/denoising/constants.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Gradient_domain_processing {
+namespace internal {
+
+// How much the normals of a triangle are smoothed.
+struct Normal_smoothing
+{
+  double similarity; // the difference of normals that counts as small
+  double weight;     // a length
+};
+
+// g = normalize((A + beta L)^-1 A n), with weights l / (1 + |g_a - g_b|^2 / sigma^2)^2 (Geman and McClure) from the last g.
+class Normal_filter
+{
+  const Indexed_triangles& m_mesh;
+  const Dual_graph& m_dual;
+  Dual_system<Vec3> m_system;
+  bool m_parallel;
+  std::vector<Vec3> m_right, m_solution;
+
+public:
+  Normal_filter(const Indexed_triangles& mesh, const Dual_graph& dual, bool parallel)
+    : m_mesh(mesh), m_dual(dual), m_system(dual, parallel), m_parallel(parallel), m_right(dual.size())
+  {}
+
+  // smoothing(f) says it for a triangle; an edge gets the mean of its two.
+  template <class Smoothing>
+  void operator()(const std::vector<Vec3>& points, const Face_geometry& faces, const Smoothing& smoothing, std::vector<Vec3>& normals)
+  {
+    m_system.masses = faces.areas;
+    parallel_for(m_parallel, m_right.size(), [&](std::size_t f) { m_right[f] = faces.areas[f] * faces.normals[f]; });
+    normals = faces.normals;
+    m_solution = normals;
+    for(int i = 0; i < denoising::normal_updates; ++i)
+    {
+      weigh(points, smoothing, normals);
+      m_system.solve(m_right, denoising::normal_tolerance, denoising::most_solver_steps, m_solution);
+      parallel_for(m_parallel, normals.size(), [&](std::size_t f) {
+        const double length = m_solution[f].norm();
+        if(length > 0)
+          normals[f] = m_solution[f] / length;
+      });
+    }
+  }
+
+private:
+  template <class Smoothing>
+  void weigh(const std::vector<Vec3>& points, const Smoothing& smoothing, const std::vector<Vec3>& normals)
+  {
+    parallel_for(m_parallel, normals.size(), [&](std::size_t f) {
+      const Normal_smoothing own = smoothing(int(f));
+      for(int i = 0; i < 3; ++i)
+      {
+        const int g = m_dual.neighbor(int(f), i);
+        m_system.weights[f][i] = 0;
+        if(g < 0)
+          continue;
+        const Normal_smoothing other = smoothing(g);
+        const double sigma = (own.similarity + other.similarity) / 2, beta = (own.weight + other.weight) / 2;
+        const double q = 1 + (normals[f] - normals[g]).squaredNorm() / (sigma * sigma);
+        const auto& t = m_mesh.triangles[f];
+        m_system.weights[f][i] = beta * (points[t[i]] - points[t[(i + 1) % 3]]).norm() / (q * q);
+      }
+    });
+  }
+};
+
+} // namespace internal
+} // namespace Gradient_domain_processing
+} // namespace CGAL
+
+#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_NORMAL_FILTER_H

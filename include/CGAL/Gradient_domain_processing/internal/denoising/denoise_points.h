@@ -1,0 +1,240 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_DENOISE_POINTS_H
+#define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_DENOISE_POINTS_H
+
+#include <CGAL/Gradient_domain_processing/Denoising_summary.h>
+#include <CGAL/Gradient_domain_processing/Error_code.h>
+#include <CGAL/Gradient_domain_processing/internal/denoising/Noise_estimate.h>
+#include <CGAL/Gradient_domain_processing/internal/denoising/Normal_filter.h>
+#include <CGAL/Gradient_domain_processing/internal/denoising/Position_fit.h>
+#include <CGAL/Gradient_domain_processing/visitor.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Gradient_domain_processing {
+namespace internal {
+
+// What is not named is found from the data.
+struct Denoising_options
+{
+  std::optional<int> number_of_iterations;
+  std::optional<double> noise_level, noise_scale, value_weight;
+  bool border_is_smoothed_as_curve = false;
+
+  bool are_valid() const
+  {
+    const auto is_at_least = [](const std::optional<double>& x, double least) { return !x || (*x >= least && std::isfinite(*x)); };
+    return (!number_of_iterations || *number_of_iterations >= 0) && is_at_least(noise_level, 0) && is_at_least(noise_scale, 0)
+        && is_at_least(value_weight, 0) && (!value_weight || *value_weight > 0);
+  }
+};
+
+// Normals and positions in turn. Normals are a signal on the faces, filtered by a graph Laplacian that similar normals weight;
+// positions are fitted to the gradients whose part along the filtered normals is taken away.
+class Denoiser
+{
+  const Indexed_triangles& m_mesh;
+  const Denoising_options& m_options;
+  Denoising_summary& m_summary;
+  bool m_parallel;
+  std::vector<char> m_is_constrained;
+  Dual_graph m_dual;
+  Lists m_rings;
+  Noise_estimate m_noise;
+  std::vector<Vec3> m_input, m_normals;
+  std::vector<char> m_is_near_border; // by face
+  double m_mean_edge_length = 0;
+
+public:
+  Denoiser(const Indexed_triangles& mesh, const std::vector<char>& is_constrained, const Denoising_options& options, bool parallel,
+           const std::vector<Vec3>& points, Denoising_summary& summary)
+    : m_mesh(mesh), m_options(options), m_summary(summary), m_parallel(parallel), m_is_constrained(is_constrained)
+    , m_dual(mesh, parallel), m_rings(mesh.one_rings(parallel)), m_input(points)
+  {}
+
+  Error_code operator()(Progress& progress, std::vector<Vec3>& points)
+  {
+    estimate(points);
+    if(m_noise.level == 0)
+      return OK;
+    prepare_border();
+    m_mean_edge_length = mean_edge_length(points);
+    Normal_filter filter_normals(m_mesh, m_dual, m_parallel);
+    Position_fit fit_positions(m_mesh, m_rings, m_parallel);
+    weigh_positions(fit_positions);
+
+    Normal_variation variation;
+    std::vector<Vec3> before;
+    const int passes = m_options.number_of_iterations.value_or(denoising::most_passes);
+    m_summary.end = m_options.number_of_iterations ? Denoising_end::named_passes : Denoising_end::most_passes;
+    for(int k = 0; k < passes; ++k)
+    {
+      before = points;
+      const Face_geometry faces(m_mesh, m_dual, points, m_parallel);
+      if(!progress.go_on(double(k) / passes))
+        return ERROR_CANCELLED;
+      filter_normals(points, faces, [&](int f) { return smoothing(k, f); }, m_normals);
+      if(k >= denoising::border_passes)
+        keep_border_normals(faces);
+      for(int i = 0; i < denoising::position_updates; ++i)
+      {
+        if(!progress.go_on((k + 0.5 + 0.5 * i / denoising::position_updates) / passes))
+          return ERROR_CANCELLED;
+        fit_positions(m_input, m_normals, points);
+      }
+      if(!m_options.number_of_iterations && is_at_end(k, before, variation, points))
+        break;
+      m_summary.number_of_iterations = k + 1;
+      if(k + 1 == denoising::border_passes)
+      {
+        hold_border();
+        weigh_positions(fit_positions);
+      }
+    }
+    return OK;
+  }
+
+private:
+  void estimate(const std::vector<Vec3>& points)
+  {
+    m_noise = estimate_noise(m_mesh, Face_geometry(m_mesh, m_dual, points, m_parallel), m_dual, m_rings, m_parallel);
+    if(m_options.noise_level)
+    {
+      m_noise.level = *m_options.noise_level;
+      m_noise.share = 1;
+    }
+    m_summary.noise_level = m_noise.level;
+    m_summary.noise_share = m_noise.share;
+  }
+
+  Normal_smoothing smoothing(int pass, int f) const
+  {
+    using namespace denoising;
+    Normal_smoothing s;
+    s.similarity = (std::min)(similarity_max, (std::max)(similarity_min, similarity * m_noise.level * std::pow(similarity_decay, pass)));
+    s.weight = m_mean_edge_length * (std::min)(smoothing_max, denoising::smoothing * m_noise.level * std::pow(smoothing_growth, pass));
+    // half as much again, for a face at the border has two neighbors instead of three
+    if(m_is_near_border[f] && pass < border_passes)
+      s.weight *= 1.5 * m_noise.border_level * std::pow(border_normal_decay, pass);
+    return s;
+  }
+
+  // Border vertices are held the more, the less noise there is on the border.
+  void weigh_positions(Position_fit& fit) const
+  {
+    const double weight = m_options.value_weight.value_or(denoising::value_weight);
+    const double least = denoising::border_value_weight;
+    const double at_border = (std::max)(least, (std::min)(least / (std::max)(m_noise.border_variance, 1e-12), (std::max)(100., least)));
+    fit.set_weights([&](int v) { return m_mesh.is_on_border[v] ? weight * at_border : weight; },
+                    [&](int v) { return !m_is_constrained[v]; });
+  }
+
+  void prepare_border()
+  {
+    m_is_near_border.resize(m_mesh.triangles.size());
+    for(std::size_t f = 0; f < m_is_near_border.size(); ++f)
+      m_is_near_border[f] = touches_border(m_mesh, m_mesh.triangles[f]);
+  }
+
+  // At the border there is less to tell shape from noise by, and further passes would wear it off: its faces stay.
+  void hold_border()
+  {
+    for(std::size_t f = 0; f < m_is_near_border.size(); ++f)
+      if(m_is_near_border[f])
+        for(int v : m_mesh.triangles[f])
+          m_is_constrained[v] = 1;
+  }
+
+  void keep_border_normals(const Face_geometry& faces)
+  {
+    for(std::size_t f = 0; f < m_is_near_border.size(); ++f)
+      if(m_is_near_border[f])
+        m_normals[f] = faces.normals[f];
+  }
+
+  double mean_edge_length(const std::vector<Vec3>& points) const
+  {
+    const std::size_t n = m_mesh.triangles.size();
+    return sum_over_blocks(m_parallel, n, 4096, 0., [&](std::size_t begin, std::size_t end) {
+      double sum = 0;
+      for(std::size_t f = begin; f < end; ++f)
+      {
+        const auto& t = m_mesh.triangles[f];
+        for(int i = 0; i < 3; ++i)
+          sum += (points[t[i]] - points[t[(i + 1) % 3]]).norm();
+      }
+      return sum;
+    }) / (3. * double(n));
+  }
+
+  bool is_at_end(int k, const std::vector<Vec3>& before, Normal_variation& variation, std::vector<Vec3>& points) const
+  {
+    const Face_geometry faces(m_mesh, m_dual, points, m_parallel);
+    const Normal_variation last = variation;
+    variation = Normal_variation(faces.normals, m_dual, m_mesh);
+    if(variation.is_of_folded_surface())
+      return false;
+    if(removes_detail(faces, points))
+    {
+      points = before;
+      m_summary.end = Denoising_end::detail;
+      return true;
+    }
+    if((k == 5 || k == 6) && variation.is_of_smooth_surface(last))
+    {
+      m_summary.end = Denoising_end::smooth_surface;
+      m_summary.number_of_iterations = k + 1;
+      return true;
+    }
+    return false;
+  }
+
+  // What was taken away should look like noise: uncorrelated from vertex to vertex.
+  bool removes_detail(const Face_geometry& faces, const std::vector<Vec3>& points) const
+  {
+    const std::vector<Vec3> normals = vertex_normals(m_mesh, faces.areas, m_normals, m_parallel);
+    std::vector<double> removed(points.size());
+    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
+      removed[v] = (m_input[v] - points[v]).dot(normals[v]);
+    double squares = 0, products = 0;
+    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
+    {
+      squares += removed[v] * removed[v];
+      for(const int* w = m_rings.begin(v); w != m_rings.end(v); ++w)
+        products += removed[v] * removed[*w] / m_rings.size(v);
+    }
+    // the first, strong passes over heavy noise look correlated and recover
+    const double bound = denoising::residual_correlation * (std::max)(m_noise.share, 0.4) * (1 + 2 * (std::max)(0., m_noise.level - 0.5));
+    return products > bound * squares;
+  }
+};
+
+// Constrained vertices stay where they are, to the bit. On an error, `points` are to be thrown away.
+inline Error_code denoise_points(const Indexed_triangles& mesh, const std::vector<char>& is_constrained, const Denoising_options& options,
+                                 bool parallel, Progress& progress, std::vector<Vec3>& points, Denoising_summary& summary)
+{
+  summary = Denoising_summary();
+  if(!options.are_valid())
+    return ERROR_INVALID_PARAMETER;
+  if(mesh.triangles.empty())
+    return OK;
+  if(!progress.go_on(0))
+    return ERROR_CANCELLED;
+  Stage_scope stage(progress, Stage::SOLVE);
+  return Denoiser(mesh, is_constrained, options, parallel, points, summary)(progress, points);
+}
+
+} // namespace internal
+} // namespace Gradient_domain_processing
+} // namespace CGAL
+
+#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_DENOISE_POINTS_H
