@@ -4,7 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The order in which unknowns are eliminated: elimination tree, postorder and fill, against elimination by the book.
+// The order in which degrees of freedom are eliminated: elimination tree, postorder and fill, against elimination by the book.
 
 #include "test_shapes.h"
 #include "test_utils.h"
@@ -132,22 +132,24 @@ void test_mesh()
     }
     rings.offsets.push_back(int(rings.items.size()));
   }
-  const auto is_unknown = [](int v) { return v % 7 != 0; };
+  std::vector<char> is_solved_for;
+  for(std::size_t v = 0; v < points.size(); ++v)
+    is_solved_for.push_back(v % 7 != 0);
   for(bool parallel : {false, true})
   {
-    const internal::Unknowns unknowns = internal::order_unknowns(points, rings, is_unknown, parallel);
+    const internal::Degrees_of_freedom ordered = internal::elimination_order(points, rings, is_solved_for, parallel);
     int number = 0;
     for(Vertex v : mesh.vertices())
     {
-      number += is_unknown(int(v));
-      GDP_CHECK(is_unknown(int(v)) ? unknowns.vertex[unknowns.column[v]] == int(v) : unknowns.column[v] == -1);
+      number += is_solved_for[v];
+      GDP_CHECK(is_solved_for[v] ? ordered.vertex[ordered.of_vertex[v]] == int(v) : ordered.of_vertex[v] == -1);
     }
-    GDP_CHECK(unknowns.size() == number);
-    GDP_CHECK(is_postorder(tree_of(graph, unknowns.vertex)));
-    std::vector<int> as_numbered = unknowns.vertex;
+    GDP_CHECK(ordered.size() == number);
+    GDP_CHECK(is_postorder(tree_of(graph, ordered.vertex)));
+    std::vector<int> as_numbered = ordered.vertex;
     std::sort(as_numbered.begin(), as_numbered.end());
-    const std::size_t fill = entries(eliminated(graph, unknowns.vertex)), without = entries(eliminated(graph, as_numbered));
-    std::cout << number << " unknowns, " << fill << " entries of the factor; " << without << " in the order of the mesh" << std::endl;
+    const std::size_t fill = entries(eliminated(graph, ordered.vertex)), without = entries(eliminated(graph, as_numbered));
+    std::cout << number << " degrees of freedom, " << fill << " entries of the factor; " << without << " in the order of the mesh" << std::endl;
     GDP_CHECK(2 * fill < without);
   }
 }

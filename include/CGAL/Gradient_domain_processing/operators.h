@@ -83,8 +83,8 @@ Error_code assemble_operator(const TriangleMesh& tm, double value_weight, double
   const bool parallel = is_parallel<Parameter_type<CGAL::internal_np::concurrency_tag_t, NamedParameters, Parallel_if_available_tag> >();
 
   // indices without a vertex are those of vertices without a face: rows of zeros
-  Unknowns unknowns;
-  unknowns.column = input.vertex_index;
+  Degrees_of_freedom unknowns;
+  unknowns.of_vertex = input.vertex_index;
   unknowns.vertex.assign(index_range(input.vertex_index), -1);
   for(std::size_t v = 0; v < input.vertex_index.size(); ++v)
     unknowns.vertex[input.vertex_index[v]] = int(v);
@@ -94,7 +94,7 @@ Error_code assemble_operator(const TriangleMesh& tm, double value_weight, double
       v = input.mesh.number_of_vertices();
       input.mesh.points.push_back(Vec3::Zero());
       input.mesh.corners.offsets.push_back(input.mesh.corners.offsets.back());
-      unknowns.column.push_back(int(&v - unknowns.vertex.data()));
+      unknowns.of_vertex.push_back(int(&v - unknowns.vertex.data()));
     }
 
   Weights weights;

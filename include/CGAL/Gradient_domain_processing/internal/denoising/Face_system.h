@@ -49,7 +49,7 @@ class Face_system
 {
   std::vector<Interior_edge> m_edges;
   Lists m_edges_of_face;
-  Unknowns m_unknowns;
+  Degrees_of_freedom m_unknowns;
   Sparse_matrix m_matrix;
   Linear_solver<SparseLinearSolver> m_solver;
   bool m_parallel = true;
@@ -79,7 +79,7 @@ public:
       const auto& t = mesh.triangles[f];
       centers[f] = (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3;
     });
-    m_unknowns = order_unknowns(centers, neighbors, [](int) { return true; }, parallel);
+    m_unknowns = elimination_order(centers, neighbors, std::vector<char>(n, 1), parallel);
     set_pattern(sparsity_pattern(neighbors, m_unknowns, m_solver.reads_lower_triangle, parallel), parallel, m_matrix);
     m_solver.merge_small_fronts();
     return m_solver.analyze(m_matrix);
@@ -105,11 +105,11 @@ public:
       return ERROR_CANCELLED;
     Stage_scope stage(progress, Stage::SOLVE);
     Eigen::MatrixXd values(right.rows(), right.cols());
-    for_each_unknown(m_parallel, m_unknowns, [&](int f, int row) { values.row(row) = right.row(f); });
+    for_each_degree_of_freedom(m_parallel, m_unknowns, [&](int f, int row) { values.row(row) = right.row(f); });
     if(const Error_code code = m_solver.solve(values, values))
       return code;
     solution.resize(values.rows(), values.cols());
-    for_each_unknown(m_parallel, m_unknowns, [&](int f, int row) { solution.row(f) = values.row(row); });
+    for_each_degree_of_freedom(m_parallel, m_unknowns, [&](int f, int row) { solution.row(f) = values.row(row); });
     return solution.allFinite() ? OK : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
   }
 
@@ -137,7 +137,7 @@ private:
     const int* const offsets = m_matrix.outerIndexPtr();
     const int* const rows = m_matrix.innerIndexPtr();
     double* const values = m_matrix.valuePtr();
-    for_each_unknown(m_parallel, m_unknowns, [&](int f, int column) {
+    for_each_degree_of_freedom(m_parallel, m_unknowns, [&](int f, int column) {
       const int first = offsets[column], last = offsets[column + 1];
       std::fill(values + first, values + last, 0.);
       const auto add = [&](int row, double value) {
@@ -149,7 +149,7 @@ private:
       for(const int* e = m_edges_of_face.begin(f); e != m_edges_of_face.end(f); ++e)
       {
         add(column, weights[*e]);
-        add(m_unknowns.column[m_edges[*e].other(f)], -weights[*e]);
+        add(m_unknowns.of_vertex[m_edges[*e].other(f)], -weights[*e]);
       }
     });
   }

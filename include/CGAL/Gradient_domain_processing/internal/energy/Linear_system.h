@@ -35,7 +35,7 @@ public:
 private:
   Triangle_metrics m_metrics;
   Weights m_weights;
-  Unknowns m_unknowns;
+  Degrees_of_freedom m_unknowns;
   Lists m_pattern; // of the matrix, by column, for as long as the system lives
   Sparse_matrix m_matrix; // with it, from the analysis to the first factorization
   Sparse_matrix m_unshifted;
@@ -47,7 +47,7 @@ public:
 
   Triangle_metric metric(int f) const { return m_metrics(mesh, f); }
   const Weights& weights() const { return m_weights; }
-  const Unknowns& unknowns() const { return m_unknowns; }
+  const Degrees_of_freedom& unknowns() const { return m_unknowns; }
   bool is_analyzed() const { return m_is_analyzed; }
 
   void set_metrics(Untouched_vector<Triangle_metric> metrics)
@@ -82,7 +82,10 @@ public:
     Stage_scope stage(progress, Stage::ANALYZE);
 
     const Lists rings = mesh.one_rings(parallel);
-    m_unknowns = order_unknowns(mesh.points, rings, [&](int v) { return !is_constrained[v] && mesh.corners.size(v) > 0; }, parallel);
+    std::vector<char> is_solved_for(mesh.points.size());
+    for(int v = 0; v < mesh.number_of_vertices(); ++v)
+      is_solved_for[v] = !is_constrained[v] && mesh.corners.size(v) > 0;
+    m_unknowns = elimination_order(mesh.points, rings, is_solved_for, parallel);
     m_pattern = sparsity_pattern(rings, m_unknowns, m_solver.reads_lower_triangle, parallel);
     set_pattern(m_pattern, parallel, m_matrix);
     const Error_code code = m_unknowns.size() > 0 ? m_solver.analyze(m_matrix) : OK;
@@ -151,7 +154,7 @@ public:
     if(const Error_code code = solve_refined(residual))
       return code;
     clear_displacement(); // not before: memory is scarcest in the solver
-    for_each_unknown(parallel, m_unknowns, [&](int v, int row) { displacement.row(v) = residual.row(row); });
+    for_each_degree_of_freedom(parallel, m_unknowns, [&](int v, int row) { displacement.row(v) = residual.row(row); });
     if(m_values_weigh_little)
       center(displacement);
     return displacement.allFinite() ? OK : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
@@ -242,7 +245,7 @@ private:
       const int component = components.of_vertex[v];
       mass[component] += weight;
       moment.row(component) += weight * displacement.row(v);
-      if(m_unknowns.column[v] < 0)
+      if(m_unknowns.of_vertex[v] < 0)
         is_held[component] = 1;
     }
     for(int v = 0; v < mesh.number_of_vertices(); ++v)

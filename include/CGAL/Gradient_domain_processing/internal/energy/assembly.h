@@ -7,6 +7,7 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_ASSEMBLY_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_ASSEMBLY_H
 
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/ordering/Degrees_of_freedom.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/Indexed_triangles.h>
 #include <CGAL/Gradient_domain_processing/internal/parallel/Untouched_vector.h>
 #include <CGAL/Gradient_domain_processing/internal/parallel/parallel_blocks.h>
@@ -133,59 +134,40 @@ inline Row_entries row_entries(const Indexed_triangles& mesh, const Triangle_coe
           w / 120 * (2 * at_v + at_a + 2 * at_b) - to_b};
 }
 
-// Which vertices are solved for, and in which order.
-struct Unknowns
-{
-  std::vector<int> column; // of every vertex, or -1
-  std::vector<int> vertex; // of every column
-
-  int size() const { return static_cast<int>(vertex.size()); }
-};
-
-// body(v, column) for all unknowns, in the order of the mesh: its arrays are local in memory, the order of elimination is less so.
-template <class Body>
-void for_each_unknown(bool parallel, const Unknowns& unknowns, const Body& body)
-{
-  parallel_for(parallel, unknowns.column.size(), [&](std::size_t v) {
-    if(unknowns.column[v] >= 0)
-      body(int(v), unknowns.column[v]);
-  });
-}
-
 // body(v, column, coefficients) for all unknowns, in the order of the mesh.
 template <class Body>
-void for_each_unknown(bool parallel, const Unknowns& unknowns, const Indexed_triangles& mesh, const Triangle_metrics& metrics, const Body& body)
+void for_each_degree_of_freedom(bool parallel, const Degrees_of_freedom& unknowns, const Indexed_triangles& mesh, const Triangle_metrics& metrics, const Body& body)
 {
-  for_each_block(parallel, unknowns.column.size(), 1024, [&](std::size_t begin, std::size_t end) {
+  for_each_block(parallel, unknowns.of_vertex.size(), 1024, [&](std::size_t begin, std::size_t end) {
     const Block_coefficients coefficients(mesh, metrics, begin, end);
     for(std::size_t v = begin; v < end; ++v)
-      if(unknowns.column[v] >= 0)
-        body(int(v), unknowns.column[v], coefficients);
+      if(unknowns.of_vertex[v] >= 0)
+        body(int(v), unknowns.of_vertex[v], coefficients);
   });
 }
 
 // The sparsity pattern of alpha M + beta S, the rows of every column in increasing order: all of them, or those of the lower triangle.
-inline Lists sparsity_pattern(const Lists& rings, const Unknowns& unknowns, bool lower_only, bool parallel)
+inline Lists sparsity_pattern(const Lists& rings, const Degrees_of_freedom& unknowns, bool lower_only, bool parallel)
 {
   const int n = unknowns.size();
   const auto is_in = [&](int row, int column) { return row > column || (row >= 0 && !lower_only); };
   Lists pattern;
   pattern.offsets.assign(n + 1, 0);
-  for_each_unknown(parallel, unknowns, [&](int v, int j) {
+  for_each_degree_of_freedom(parallel, unknowns, [&](int v, int j) {
     pattern.offsets[j + 1] = 1 + int(std::count_if(rings.begin(v), rings.end(v), [&](int w) {
-      return is_in(unknowns.column[w], j);
+      return is_in(unknowns.of_vertex[w], j);
     }));
   });
   for(int j = 0; j < n; ++j)
     pattern.offsets[j + 1] += pattern.offsets[j];
   pattern.items.resize(pattern.offsets[n]);
-  for_each_unknown(parallel, unknowns, [&](int v, int j) {
+  for_each_degree_of_freedom(parallel, unknowns, [&](int v, int j) {
     int* const first = pattern.items.data() + pattern.offsets[j];
     int* last = first;
     *last++ = j;
     for(const int* w = rings.begin(v); w != rings.end(v); ++w)
-      if(is_in(unknowns.column[*w], j))
-        *last++ = unknowns.column[*w];
+      if(is_in(unknowns.of_vertex[*w], j))
+        *last++ = unknowns.of_vertex[*w];
     std::sort(first, last);
   });
   return pattern;
@@ -206,13 +188,13 @@ inline void set_pattern(const Lists& pattern, bool parallel, Sparse_matrix& matr
 // rounding might decide on the constant of a component: the sum of a row, which holds the values' part, is all but lost in its
 // diagonal.
 inline bool assemble(const Indexed_triangles& mesh, const Triangle_metrics& metrics, const Weights& weights,
-                     const Unknowns& unknowns, bool parallel, Sparse_matrix& matrix, bool is_system = true)
+                     const Degrees_of_freedom& unknowns, bool parallel, Sparse_matrix& matrix, bool is_system = true)
 {
   std::atomic<bool> values_weigh_little(false);
   const int* const offsets = matrix.outerIndexPtr();
   const int* const rows = matrix.innerIndexPtr();
   double* const values = matrix.valuePtr();
-  for_each_unknown(parallel, unknowns, mesh, metrics, [&](int v, int j, const Block_coefficients& coefficients) {
+  for_each_degree_of_freedom(parallel, unknowns, mesh, metrics, [&](int v, int j, const Block_coefficients& coefficients) {
     const int first = offsets[j], last = offsets[j + 1];
     std::fill(values + first, values + last, 0.);
     double sum = 0, diagonal = 0;
@@ -231,8 +213,8 @@ inline bool assemble(const Indexed_triangles& mesh, const Triangle_metrics& metr
       const Row_entries entries = row_entries(mesh, coefficients(*c / 3), weights, *c);
       const auto others = mesh.opposite_vertices(*c);
       diagonal += entries.vv;
-      add(unknowns.column[others[0]], entries.va);
-      add(unknowns.column[others[1]], entries.vb);
+      add(unknowns.of_vertex[others[0]], entries.va);
+      add(unknowns.of_vertex[others[1]], entries.vb);
     }
     // in a system to be solved, a vertex that nothing acts on stays where it is
     add(j, is_system && diagonal == 0 ? 1. : diagonal);
@@ -246,7 +228,7 @@ inline bool assemble(const Indexed_triangles& mesh, const Triangle_metrics& metr
 // gradient of f, integrated along the edges: excess(f, i, j) from corner i to corner j of triangle f, by channel.
 template <class Excess>
 void gradient_residual(const Indexed_triangles& mesh, const Triangle_metrics& metrics, const Weights& weights,
-                       const Unknowns& unknowns, const Excess& excess, bool parallel, Eigen::MatrixXd& residual)
+                       const Degrees_of_freedom& unknowns, const Excess& excess, bool parallel, Eigen::MatrixXd& residual)
 {
   const auto sum_at = [&](int v, const Block_coefficients& coefficients, auto& sum) {
     for(const int* c = mesh.corners.begin(v); c != mesh.corners.end(v); ++c)
@@ -260,7 +242,7 @@ void gradient_residual(const Indexed_triangles& mesh, const Triangle_metrics& me
         sum[channel] -= to_a * along_a[channel] + to_b * along_b[channel];
     }
   };
-  for_each_unknown(parallel, unknowns, mesh, metrics, [&](int v, int row, const Block_coefficients& coefficients) {
+  for_each_degree_of_freedom(parallel, unknowns, mesh, metrics, [&](int v, int row, const Block_coefficients& coefficients) {
     if(residual.cols() == 3) // the compiler unrolls what it knows the length of
     {
       Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
@@ -278,17 +260,17 @@ void gradient_residual(const Indexed_triangles& mesh, const Triangle_metrics& me
 
 // Takes from the residual what the displacements of vertices that are not solved for bring about.
 inline void move_to_right_hand_side(const Indexed_triangles& mesh, const Triangle_metrics& metrics,
-                                    const Weights& weights, const Unknowns& unknowns, const Signal& displacement,
+                                    const Weights& weights, const Degrees_of_freedom& unknowns, const Signal& displacement,
                                     bool parallel, Eigen::MatrixXd& residual)
 {
-  for_each_unknown(parallel, unknowns, mesh, metrics, [&](int v, int row, const Block_coefficients& coefficients) {
+  for_each_degree_of_freedom(parallel, unknowns, mesh, metrics, [&](int v, int row, const Block_coefficients& coefficients) {
     for(const int* c = mesh.corners.begin(v); c != mesh.corners.end(v); ++c)
     {
       const Row_entries entries = row_entries(mesh, coefficients(*c / 3), weights, *c);
       const auto others = mesh.opposite_vertices(*c);
-      if(unknowns.column[others[0]] < 0)
+      if(unknowns.of_vertex[others[0]] < 0)
         residual.row(row) -= entries.va * displacement.row(others[0]);
-      if(unknowns.column[others[1]] < 0)
+      if(unknowns.of_vertex[others[1]] < 0)
         residual.row(row) -= entries.vb * displacement.row(others[1]);
     }
   });

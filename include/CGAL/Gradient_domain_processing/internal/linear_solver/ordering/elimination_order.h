@@ -7,10 +7,12 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_ORDERING_ELIMINATION_ORDER_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_ORDERING_ELIMINATION_ORDER_H
 
-#include <CGAL/Gradient_domain_processing/internal/energy/assembly.h>
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/ordering/Degrees_of_freedom.h>
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/ordering/nested_dissection.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/Indexed_triangles.h>
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -64,32 +66,25 @@ inline std::vector<int> postorder(const std::vector<int>& parent)
   return order;
 }
 
-inline Unknowns numbered(const std::vector<int>& order, std::size_t number_of_vertices)
-{
-  Unknowns unknowns;
-  unknowns.vertex = order;
-  unknowns.column.assign(number_of_vertices, -1);
-  for(int column = 0; column < unknowns.size(); ++column)
-    unknowns.column[order[column]] = column;
-  return unknowns;
-}
-
-// The vertices of a graph that are solved for, in the order in which they are eliminated.
-template <class Is_unknown>
-Unknowns order_unknowns(const std::vector<Vec3>& points, const Lists& graph, const Is_unknown& is_unknown, bool parallel)
+// The vertices of a graph that are solved for, in the order in which they are eliminated. `go_on` is asked often, by the calling
+// thread only; where it answers false, the order is empty.
+inline Degrees_of_freedom elimination_order(const std::vector<Vec3>& points, const Lists& graph, const std::vector<char>& is_solved_for,
+                                            bool parallel, const std::function<bool()>& go_on = {})
 {
   std::vector<int> order = parallel ? nested_dissection<Parallel_tag>(points, graph.offsets, graph.items)
                                     : nested_dissection<Sequential_tag>(points, graph.offsets, graph.items);
-  order.erase(std::remove_if(order.begin(), order.end(), [&](int v) { return !is_unknown(v); }), order.end());
-  const std::vector<int> column = numbered(order, points.size()).column;
+  if(go_on && !go_on())
+    return numbered({}, points.size());
+  order.erase(std::remove_if(order.begin(), order.end(), [&](int v) { return !is_solved_for[v]; }), order.end());
+  const std::vector<int> place = numbered(order, points.size()).of_vertex;
   std::vector<int> result = postorder(elimination_tree(int(order.size()), [&](int j, const auto& visit) {
     for(const int* w = graph.begin(order[j]); w != graph.end(order[j]); ++w)
-      if(column[*w] >= 0 && column[*w] < j)
-        visit(column[*w]);
+      if(place[*w] >= 0 && place[*w] < j)
+        visit(place[*w]);
   }));
   for(int& j : result)
     j = order[j];
-  return numbered(result, points.size());
+  return numbered(std::move(result), points.size());
 }
 
 } // namespace internal
