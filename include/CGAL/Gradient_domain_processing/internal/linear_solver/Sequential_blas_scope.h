@@ -7,6 +7,8 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_SEQUENTIAL_BLAS_SCOPE_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_SEQUENTIAL_BLAS_SCOPE_H
 
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/Borrowed_number.h>
+
 #if defined(__unix__) || defined(__APPLE__)
 #include <dlfcn.h>
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_HAS_DLSYM
@@ -21,51 +23,53 @@ namespace internal {
 // the work on a busy one. Whether there are an OpenMP and an OpenBLAS in the process is known when it runs.
 class Sequential_blas_scope
 {
-#ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_HAS_DLSYM
-  struct Number
+public:
+  Sequential_blas_scope()
   {
-    int (*get)();
-    void (*set)(int);
-
-    Number(const char* getter, const char* setter)
-      : get(reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, getter)))
-      , set(reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, setter)))
-    {}
-
-    // returns the number before
-    int exchange(int number) const
-    {
-      if(!get || !set)
-        return number;
-      const int before = get();
-      set(number);
-      return before;
-    }
-  };
-
-  static const Number& openmp_levels()
+    openmp_threads().enter(); // an OpenBLAS that is made with OpenMP changes them
+    openmp_levels().enter();
+    openblas_threads().enter();
+  }
+  ~Sequential_blas_scope()
   {
-    static const Number levels("omp_get_max_active_levels", "omp_set_max_active_levels");
+    openblas_threads().leave();
+    openmp_levels().leave();
+    openmp_threads().leave();
+  }
+  Sequential_blas_scope(const Sequential_blas_scope&) = delete;
+  Sequential_blas_scope& operator=(const Sequential_blas_scope&) = delete;
+
+private:
+  static Borrowed_number& openmp_threads()
+  {
+    static Borrowed_number threads(getter("omp_get_max_threads"), setter("omp_set_num_threads"), 1);
+    return threads;
+  }
+  static Borrowed_number& openmp_levels()
+  {
+    static Borrowed_number levels(getter("omp_get_max_active_levels"), setter("omp_set_max_active_levels"), 0);
     return levels;
   }
-  static const Number& openblas_threads()
+  static Borrowed_number& openblas_threads()
   {
-    static const Number threads("openblas_get_num_threads", "openblas_set_num_threads");
+    static Borrowed_number threads(getter("openblas_get_num_threads"), setter("openblas_set_num_threads"), 1);
     return threads;
   }
 
-  const int m_levels = openmp_levels().exchange(0), m_threads = openblas_threads().exchange(1);
+  // null where the library is not there
+  static Borrowed_number::Getter getter(const char* name) { return function<Borrowed_number::Getter>(name); }
+  static Borrowed_number::Setter setter(const char* name) { return function<Borrowed_number::Setter>(name); }
 
-public:
-  Sequential_blas_scope() {}
-  Sequential_blas_scope(const Sequential_blas_scope&) = delete;
-  Sequential_blas_scope& operator=(const Sequential_blas_scope&) = delete;
-  ~Sequential_blas_scope()
+  template <class Function>
+  static Function function(const char* name)
   {
-    openblas_threads().exchange(m_threads);
-    openmp_levels().exchange(m_levels);
-  }
+#ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_HAS_DLSYM
+    return reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, name));
+#else
+    (void)name;
+    return nullptr;
 #endif
+  }
 };
 
 } // namespace internal
