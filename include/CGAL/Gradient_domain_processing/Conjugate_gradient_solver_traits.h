@@ -9,6 +9,7 @@
 
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/multigrid/Conjugate_gradient.h>
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/Linear_solver.h>
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/Solver_claim.h>
 #include <CGAL/Gradient_domain_processing/internal/parallel/parallel_for.h>
 
 #include <CGAL/Eigen_matrix.h>
@@ -16,6 +17,7 @@
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
+#include <functional>
 #include <memory>
 #include <new>
 
@@ -127,25 +129,39 @@ template <class ConcurrencyTag>
 class Linear_solver<Conjugate_gradient_solver_traits<ConcurrencyTag> >
 {
   Conjugate_gradient_solver_traits<ConcurrencyTag> m_traits; // shares its state with the caller's copy
+  Solver_claim m_claim;
+  bool m_is_factorized = false;
 
 public:
   static constexpr bool reads_lower_triangle = false;
   static constexpr bool is_iterative = true;
+  static constexpr bool needs_order = false;
 
-  explicit Linear_solver(const Conjugate_gradient_solver_traits<ConcurrencyTag>& traits) : m_traits(traits) {}
+  explicit Linear_solver(const Conjugate_gradient_solver_traits<ConcurrencyTag>& traits) : m_traits(traits), m_claim(&m_traits.solver()) {}
 
   void merge_small_fronts() {}
 
   Error_code analyze(const Eigen::SparseMatrix<double>&) { return OK; }
 
-  Error_code factorize(const Eigen::SparseMatrix<double>& matrix)
+  bool has_factor() const { return m_is_factorized && m_claim.is_last(); }
+
+  Error_code factorize(const Eigen::SparseMatrix<double>& matrix, const std::function<bool()>& go_on = {})
   {
-    try { return m_traits.solver().compute(matrix) ? OK : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM; }
+    m_is_factorized = false;
+    if(go_on && !go_on())
+      return ERROR_CANCELLED;
+    m_claim.take();
+    try { m_is_factorized = m_traits.solver().compute(matrix); }
     catch(const std::bad_alloc&) { return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM; }
+    return m_is_factorized ? OK : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
   }
 
-  Error_code solve(const Eigen::MatrixXd& right, Eigen::MatrixXd& solution)
+  Error_code solve(const Eigen::MatrixXd& right, Eigen::MatrixXd& solution, const std::function<bool()>& go_on = {})
   {
+    if(!has_factor())
+      return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+    if(go_on && !go_on())
+      return ERROR_CANCELLED;
     try { return m_traits.solver().solve(right, solution) ? OK : ERROR_NOT_CONVERGED; }
     catch(const std::bad_alloc&) { return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM; }
   }

@@ -95,8 +95,9 @@ public:
 
   Error_code factorize(Progress& progress)
   {
-    if(m_is_factorized)
+    if(m_is_factorized && (m_unknowns.size() == 0 || m_solver.has_factor()))
       return OK;
+    m_is_factorized = false;
     if(has_floating_component())
       return ERROR_UNCONSTRAINED;
     if(const Error_code code = analyze(progress))
