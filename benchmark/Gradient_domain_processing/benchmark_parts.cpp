@@ -153,11 +153,11 @@ void benchmark_assembly(const Mesh& mesh, int repetitions)
   // a prepared system, as the solver keeps it: what a new metric or weight costs before the factorization
   auto solver = GDP::make_gradient_domain_solver(mesh);
   require(solver.factorize());
-  const auto& system = solver.system();
+  const auto& system = solver.arrays().system;
   GDP::internal::Sparse_matrix filled;
-  GDP::internal::set_pattern(GDP::internal::sparsity_pattern(system.mesh.one_rings(true), system.unknowns(), true, true), true, filled);
+  GDP::internal::set_pattern(GDP::internal::sparsity_pattern(system.mesh.one_rings(true), system.degrees_of_freedom(), true, true), true, filled);
   const auto refill = [&](bool parallel) {
-    GDP::internal::assemble(system.mesh, GDP::internal::Face_metrics(), system.weights(), system.unknowns(), parallel, filled);
+    GDP::internal::assemble(system.mesh, GDP::internal::Triangle_metrics(), system.weights(), system.degrees_of_freedom(), parallel, filled);
   };
   print("assembly", mesh, in_turns(repetitions, {{"triplets", by_triplets},
                                                  {"sequential", [&] { refill(false); }},

@@ -10,7 +10,8 @@
 #include "test_utils.h"
 
 #include <CGAL/Gradient_domain_processing/estimate_curvatures.h>
-#include <CGAL/Gradient_domain_processing/metrics.h>
+#include <CGAL/Gradient_domain_processing/curvature_metric.h>
+#include <CGAL/Gradient_domain_processing/embedding_metric.h>
 
 #include <CGAL/version.h>
 #if CGAL_VERSION_NR >= 1060000000

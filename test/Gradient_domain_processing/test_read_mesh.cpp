@@ -9,7 +9,7 @@
 #include "test_shapes.h"
 #include "test_utils.h"
 
-#include <CGAL/Gradient_domain_processing/internal/mesh/read_mesh.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/read_graph.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
@@ -25,8 +25,8 @@ using namespace gdp_test;
 namespace GDP = CGAL::Gradient_domain_processing;
 namespace internal = CGAL::Gradient_domain_processing::internal;
 
-typedef internal::Mesh_elements<Mesh> Elements;
-typedef internal::Mesh_arrays Arrays;
+typedef internal::Surface_elements<Mesh> Elements;
+typedef internal::Indexed_triangles Arrays;
 
 // The vertices and the faces in an order drawn by lot.
 Shape shuffled(const Shape& shape)
@@ -86,7 +86,9 @@ void test_whole(const Shape& shape, bool parallel)
   CGAL::Euler::remove_face(mesh.halfedge(Face(7)), mesh); // indices with gaps
   Elements elements;
   Arrays arrays;
-  GDP_CHECK(internal::read_mesh(mesh, mesh.points(), CGAL::parameters::default_values(), parallel, elements, arrays) == GDP::OK);
+  internal::Reading reading;
+  reading.parallel = parallel;
+  GDP_CHECK(internal::read_surface(mesh, mesh.points(), CGAL::parameters::default_values(), reading, elements, arrays) == GDP::ok);
   holds(mesh, std::set<Face>(mesh.faces().begin(), mesh.faces().end()), elements, arrays);
   GDP_CHECK(elements.vertices.size() == mesh.number_of_vertices());
   GDP_CHECK(mean_span(arrays.triangles) < 8 * std::sqrt(double(arrays.points.size())));
@@ -104,7 +106,8 @@ void test_region(const Shape& shape)
   Elements elements;
   Arrays arrays;
   std::vector<char> is_fixed;
-  GDP_CHECK(internal::read_region(mesh, twice, mesh.points(), elements, arrays, is_fixed) == GDP::OK);
+  internal::Reading reading;
+  GDP_CHECK(internal::read_region(twice, mesh, mesh.points(), CGAL::parameters::default_values(), reading, elements, arrays, is_fixed) == GDP::ok);
   holds(mesh, faces, elements, arrays);
   std::size_t wrong = 0;
   for(std::size_t v = 0; v < elements.vertices.size(); ++v)

@@ -8,7 +8,7 @@
 
 #include "reference_data.h"
 
-#include <CGAL/Gradient_domain_processing/metrics.h>
+#include <CGAL/Gradient_domain_processing/curvature_metric.h>
 #include <CGAL/Gradient_domain_processing/operators.h>
 #include <CGAL/Gradient_domain_processing/process_signal.h>
 

@@ -124,7 +124,7 @@ void check_reuse()
   GDP_CHECK(solver.error() == GDP::OK);
   GDP_CHECK(solver.factorize() == GDP::OK);
   GDP_CHECK(are(1, 1, 0, 0));
-  GDP_CHECK(solver.number_of_unknowns() == num_vertices(x.tm));
+  GDP_CHECK(solver.number_of_degrees_of_freedom() == num_vertices(x.tm));
 
   // all channels in one
   GDP_CHECK(solver.filter(x.vectors, x.out_vectors) == GDP::OK);

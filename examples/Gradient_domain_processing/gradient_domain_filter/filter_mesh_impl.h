@@ -235,7 +235,7 @@ private:
           column.values[v] = normals[v][i];
       }
     }
-    auto solver = GDP::make_gradient_domain_solver(m_file.mesh, region..., np);
+    auto solver = GDP::make_gradient_domain_solver(region..., m_file.mesh, np);
     std::vector<Three_channels> signal = three_columns(columns, names);
     const Vertex_map<Three_channels> map{&signal};
     if(const Error_code code = solver.filter(map, map, m_options.iterations))

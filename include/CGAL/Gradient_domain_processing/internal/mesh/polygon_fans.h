@@ -9,7 +9,7 @@
 
 #include <CGAL/Gradient_domain_processing/internal/mesh/Indexed_triangles.h>
 
-#include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 #include <vector>
 
@@ -40,15 +40,15 @@ inline Eigen::VectorXd virtual_vertex_weights(const std::vector<Vec3>& polygon)
   Eigen::VectorXd weights = Eigen::VectorXd::Constant(n, 1. / n);
   if(!(a.trace() > 0))
     return weights;
-  a += 1e-12 * a.trace() * Eigen::Matrix3d::Identity(); // a line
-  const Vec3 x = a.ldlt().solve(b);
+  a += 1e-12 * a.trace() * Eigen::Matrix3d::Identity(); // for a line
+  const Vec3 x = a.inverse() * b;
 
   // the least change of equal weights that makes the mean of the corners this point; what is not in the corners' span stays
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
   for(const Vec3& p : polygon)
     scatter += (p - mean) * (p - mean).transpose();
   scatter += 1e-12 * scatter.trace() * Eigen::Matrix3d::Identity();
-  const Vec3 multiplier = scatter.ldlt().solve(x);
+  const Vec3 multiplier = scatter.inverse() * x;
   for(int i = 0; i < n; ++i)
     weights[i] += (polygon[i] - mean).dot(multiplier);
   return weights;
