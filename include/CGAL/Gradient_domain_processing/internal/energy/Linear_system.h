@@ -157,12 +157,13 @@ private:
     std::vector<char> is_free(mesh.points.size());
     for(int v = 0; v < mesh.number_of_vertices(); ++v)
       is_free[v] = !is_constrained[v] && mesh.corners.size(v) > 0 && v < mesh.first_virtual_vertex();
+    bool is_cancelled = false;
     if(Linear_solver<SparseLinearSolver>::needs_order)
       m_dofs = elimination_order(mesh.points, has_virtual_vertices() ? rings_of_polygons(rings, mesh) : rings, is_free, parallel,
-                                 [&] { return progress.go_on(); });
+                                 [&] { return !(is_cancelled = !progress.go_on()); });
     else
       m_dofs = numbered_in_memory_order(is_free);
-    if(!progress.go_on())
+    if(is_cancelled)
       return error_cancelled;
     if(has_virtual_vertices())
       m_dofs_with_virtual_vertices = with_virtual_vertices(m_dofs, mesh);
