@@ -71,17 +71,19 @@ inline std::vector<int> postorder(const std::vector<int>& parent)
 inline Degrees_of_freedom elimination_order(const std::vector<Vec3>& points, const Lists& graph, const std::vector<char>& is_solved_for,
                                             bool parallel, const std::function<bool()>& go_on = {})
 {
-  std::vector<int> order = parallel ? nested_dissection<Parallel_tag>(points, graph.offsets, graph.items)
-                                    : nested_dissection<Sequential_tag>(points, graph.offsets, graph.items);
-  if(go_on && !go_on())
-    return numbered({}, points.size());
+  std::vector<int> order = nested_dissection(points, graph.offsets, graph.items, parallel, go_on);
   order.erase(std::remove_if(order.begin(), order.end(), [&](int v) { return !is_solved_for[v]; }), order.end());
   const std::vector<int> place = numbered(order, points.size()).of_vertex;
+  bool is_cancelled = false;
   std::vector<int> result = postorder(elimination_tree(int(order.size()), [&](int j, const auto& visit) {
-    for(const int* w = graph.begin(order[j]); w != graph.end(order[j]); ++w)
+    if(j % 20000 == 0 && go_on && !is_cancelled)
+      is_cancelled = !go_on();
+    for(const int* w = graph.begin(order[j]); w != graph.end(order[j]) && !is_cancelled; ++w)
       if(place[*w] >= 0 && place[*w] < j)
         visit(place[*w]);
   }));
+  if(is_cancelled)
+    result.clear();
   for(int& j : result)
     j = order[j];
   return numbered(std::move(result), points.size());

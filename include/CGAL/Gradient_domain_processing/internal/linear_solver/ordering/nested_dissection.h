@@ -10,19 +10,20 @@
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/ordering/nested_dissection_leaf.h>
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/ordering/nested_dissection_separator.h>
 
-#include <CGAL/tags.h>
+#include <CGAL/Gradient_domain_processing/internal/parallel/parallel_blocks.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <future>
+#include <functional>
 #include <limits>
 #include <numeric>
-#include <type_traits>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -42,13 +43,18 @@ public:
       m_slab(points.size()), m_slot(points.size(), outside)
   {}
 
-  // Both halves of a domain are ordered at the same time in the first levels of the recursion. They share no edge, and
-  // all that is written belongs to a vertex: the result does not depend on it.
-  std::vector<int> compute(int number_of_parallel_levels)
+  // In parallel, both halves of a large domain are ordered at the same time. They share no edge, and all that is written
+  // belongs to a vertex: the result does not depend on it. `go_on` is asked by the calling thread; where it answers
+  // false, the order is empty.
+  std::vector<int> compute(bool parallel, const std::function<bool()>& go_on)
   {
+    m_parallel = parallel;
+    m_ask = go_on ? &go_on : nullptr;
+    m_caller = std::this_thread::get_id();
     std::iota(m_order.begin(), m_order.end(), 0);
-    Workspace workspace(m_order.size());
-    dissect(put_hubs_last(), number_of_parallel_levels, workspace);
+    Workspace workspace;
+    dissect(put_hubs_last(), workspace);
+    if(m_is_cancelled) m_order.clear();
     return std::move(m_order);
   }
 
@@ -81,36 +87,53 @@ private:
 
   struct Workspace
   {
-    explicit Workspace(std::size_t n) : boundary_slot(n, outside) {}
-
     Minimum_vertex_separator separator;
     Leaf_elimination leaf;
     std::vector<int> queue, right, between;
-    std::vector<int> boundary_slot;
     std::array<int, number_of_slabs + 1> population, crossing;
   };
 
-  void dissect(Domain domain, int number_of_parallel_levels, Workspace& workspace)
+  void dissect(Domain domain, Workspace& workspace)
   {
     if(domain.size() <= Leaf_elimination::max_number_of_interior_vertices) {
-      order_leaf(domain, workspace);
+      if(goes_on(domain.size())) order_leaf(domain, workspace);
       return;
     }
     choose_sides(domain, workspace);
-    const auto [left, right] = partition(domain, workspace);
-    if(std::max(left.size(), right.size()) == domain.size()) return;  // nearly complete: no order is better
+    if(m_is_cancelled) return;
+    const std::pair<Domain, Domain> halves = partition(domain, workspace);
+    if((std::max)(halves.first.size(), halves.second.size()) == domain.size()) return;  // nearly complete: no order is better
 
-    if(number_of_parallel_levels == 0) {
-      dissect(left, 0, workspace);
-      dissect(right, 0, workspace);
+    constexpr int worth_a_task = 5000;
+    if(!m_parallel || domain.size() < worth_a_task) {
+      dissect(halves.first, workspace);
+      dissect(halves.second, workspace);
       return;
     }
-    auto ordered = std::async(std::launch::async | std::launch::deferred, [&, part = right] {
-      Workspace own(m_order.size());
-      dissect(part, number_of_parallel_levels - 1, own);
+    for_each_block(true, 2, 1, [&](std::size_t half, std::size_t) {
+      Workspace own;
+      dissect(half == 0 ? halves.first : halves.second, own);
     });
-    dissect(left, number_of_parallel_levels - 1, workspace);
-    ordered.get();
+  }
+
+  // To be asked before so many vertices are looked at; whether to go on with it.
+  bool goes_on(int work)
+  {
+    constexpr int worth_a_question = 20000;
+    if(m_is_cancelled) return false;
+    if(!m_ask || m_caller != std::this_thread::get_id() || (m_work += work) < worth_a_question) return true;
+    m_work = 0;
+    if(!(*m_ask)()) m_is_cancelled = true;
+    return !m_is_cancelled;
+  }
+
+  // body(v) for the vertices of a domain, or every `stride`-th, while it goes on.
+  template <typename Body>
+  void for_each_vertex(Domain domain, int stride, const Body& body)
+  {
+    constexpr int size_of_block = 10000;
+    for(int i = domain.begin; i < domain.end && goes_on((std::min)(size_of_block, domain.end - i)); )
+      for(int k = 0; k < size_of_block && i < domain.end; ++k, i += stride) body(m_order[i]);
   }
 
   // A vertex with very many neighbors spoils every cut.
@@ -135,8 +158,8 @@ private:
   void choose_sides(Domain domain, Workspace& workspace)
   {
     const Cut cut = find_cut(domain, workspace);
-    collect_band(domain, cut, workspace);
-    separate_band(domain, cut, workspace);
+    if(!m_is_cancelled) collect_band(domain, cut, workspace);
+    if(!m_is_cancelled) separate_band(domain, cut, workspace);
   }
 
   // Leaves the slabs of the best direction in m_slab.
@@ -153,6 +176,7 @@ private:
       best = cut;
       best_direction = k;
     }
+    if(m_is_cancelled) return best;
     if(best.cost > usual_cost(domain)) {  // the points say little about the graph
       assign_slabs_breadth_first(domain, workspace);
       const Cut cut = sweep(domain, workspace);
@@ -168,17 +192,17 @@ private:
 
   static Cut no_cut() { return { std::numeric_limits<double>::infinity(), number_of_slabs / 2 }; }
 
-  Scatter compute_scatter(Domain domain) const
+  Scatter compute_scatter(Domain domain)
   {
     // Sums relative to a point of the domain lose no digits.
     const Eigen::Vector3d origin = m_points[m_order[domain.begin]];
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-    for(int i = domain.begin; i < domain.end; ++i) {
-      const Eigen::Vector3d d = m_points[m_order[i]] - origin;
+    for_each_vertex(domain, 1, [&](int v) {
+      const Eigen::Vector3d d = m_points[v] - origin;
       mean += d;
       covariance.noalias() += d * d.transpose();
-    }
+    });
     mean /= domain.size();
     covariance = covariance / domain.size() - mean * mean.transpose();
     return { mean + origin, covariance };
@@ -198,13 +222,12 @@ private:
   {
     // In any distribution, all balanced cuts are this close to the mean.
     constexpr double reach = 1.4;
-    const double deviation = std::sqrt(std::max(0., direction.dot(scatter.covariance * direction)));
+    const double deviation = std::sqrt((std::max)(0., direction.dot(scatter.covariance * direction)));
     const double scale = deviation > 0 ? number_of_slabs / (2 * reach * deviation) : 0.;
-    for(int i = domain.begin; i < domain.end; ++i) {
-      const int v = m_order[i];
+    for_each_vertex(domain, 1, [&](int v) {
       const double t = (m_points[v] - scatter.mean).dot(direction) * scale + number_of_slabs / 2;
-      m_slab[v] = int(std::min(std::max(t, 0.), number_of_slabs - 1.));
-    }
+      m_slab[v] = int((std::min)((std::max)(t, 0.), number_of_slabs - 1.));
+    });
   }
 
   // Slabs of equal size in the order of a search that starts far from the middle.
@@ -226,7 +249,8 @@ private:
     };
     std::size_t head = 0;
     const auto spread_from = [&](int seed) {
-      for(reach(seed); head < queue.size(); ++head) for_each_neighbor(queue[head], domain, reach);
+      for(reach(seed); head < queue.size() && (head % 10000 != 0 || goes_on(10000)); ++head)
+        for_each_neighbor(queue[head], domain, reach);
     };
     spread_from(start);
     for(int i = domain.begin; i < domain.end; ++i) spread_from(m_order[i]);
@@ -242,21 +266,21 @@ private:
     crossing.fill(0);
     const int stride = sweep_stride(domain);
     int total = 0;
-    for(int i = domain.begin; i < domain.end; i += stride, ++total) {
-      const int v = m_order[i];
+    for_each_vertex(domain, stride, [&](int v) {
       int highest = m_slab[v];
-      for_each_neighbor(v, domain, [&](int u) { highest = std::max(highest, m_slab[u]); });
+      for_each_neighbor(v, domain, [&](int u) { highest = (std::max)(highest, m_slab[u]); });
+      ++total;
       ++population[m_slab[v] + 1];
       ++crossing[m_slab[v] + 1];
       --crossing[highest + 1];
-    }
+    });
     Cut cut = cheapest_cut(population, crossing, total);
     cut.cost *= stride;
     return cut;
   }
 
   // A sample is enough: of a separator of about sqrt(n) vertices it sees some fifty.
-  static int sweep_stride(Domain domain) { return std::max(1, int(std::sqrt(double(domain.size())) / 50)); }
+  static int sweep_stride(Domain domain) { return (std::max)(1, int(std::sqrt(double(domain.size())) / 50)); }
 
   template <typename Counts>
   static Cut cheapest_cut(const Counts& population, const Counts& crossing, int total)
@@ -287,13 +311,12 @@ private:
     };
     band.clear();
     int number_of_left = 0;
-    for(int i = domain.begin; i < domain.end; ++i) {
-      const int v = m_order[i];
+    for_each_vertex(domain, 1, [&](int v) {
       number_of_left += is_left(v);
       bool crosses = false;
       for_each_neighbor(v, domain, [&](int u) { crosses |= is_left(u) != is_left(v); });
       if(crosses) add(v);
-    }
+    });
 
     int room[2] = { room_in_band(domain, domain.size() - number_of_left), room_in_band(domain, number_of_left) };
     for(int v : band) --room[is_left(v)];
@@ -307,7 +330,7 @@ private:
   static int room_in_band(Domain domain, int size_of_side)
   {
     constexpr double layers = 10, part_of_side = 0.15;
-    return int(std::min(layers * std::sqrt(double(domain.size())), part_of_side * size_of_side));
+    return int((std::min)(layers * std::sqrt(double(domain.size())), part_of_side * size_of_side));
   }
 
   // From here on, slabs tell the sides.
@@ -325,12 +348,11 @@ private:
     }
     separator.compute();
 
-    for(int i = domain.begin; i < domain.end; ++i) {
-      const int v = m_order[i];
+    for_each_vertex(domain, 1, [&](int v) {
       if(m_slot[v] != outside) m_slab[v] = int(separator.side(m_slot[v]));
       else m_slab[v] = int(m_slab[v] < cut.slab ? Side::source : Side::sink);
       m_slot[v] = outside;
-    }
+    });
   }
 
   // Left, right, separator: each in the order it had, which keeps it local in memory.
@@ -363,6 +385,7 @@ private:
     boundary.clear();
     for(int k = 0; k < domain.size(); ++k) m_slot[interior[k]] = k;
 
+    const std::size_t room = std::size_t(Leaf_elimination::max_number_of_vertices - domain.size());
     workspace.leaf.reset(domain.size());
     for(int k = 0; k < domain.size(); ++k)
       for(int j = m_offsets[interior[k]]; j < m_offsets[interior[k] + 1]; ++j) {
@@ -371,14 +394,12 @@ private:
           workspace.leaf.connect(k, m_slot[u]);
           continue;
         }
-        int& slot = workspace.boundary_slot[u];
-        if(slot == outside) {
-          slot = domain.size() + int(boundary.size());
-          boundary.push_back(u);
+        const std::size_t place = std::size_t(std::find(boundary.begin(), boundary.end(), u) - boundary.begin());
+        if(place < room) {
+          if(place == boundary.size()) boundary.push_back(u);
+          workspace.leaf.connect(k, domain.size() + int(place));
         }
-        workspace.leaf.connect(k, slot);
       }
-    for(int u : boundary) workspace.boundary_slot[u] = outside;
 
     int end = domain.begin;
     for(int k : workspace.leaf.compute()) m_order[end++] = interior[k];
@@ -392,18 +413,22 @@ private:
   std::vector<int> m_domain;  // by vertex: where the range of its domain begins, or `separated`
   std::vector<int> m_slab;    // by vertex: place along the direction of the cut, then side
   std::vector<int> m_slot;    // by vertex: place in the band or leaf at work, or `outside`
+
+  bool m_parallel = false;
+  const std::function<bool()>* m_ask = nullptr;
+  std::thread::id m_caller;
+  int m_work = 0;  // of the caller since it last asked
+  std::atomic<bool> m_is_cancelled{ false };
 };
 
 // The order in which to eliminate the vertices of a graph so that its Cholesky factor stays sparse: order[k] is the
-// k-th. The graph comes in compressed rows, symmetric and without loops. Same result on every run and for either tag.
-template <typename Concurrency_tag = Sequential_tag>
-std::vector<int> nested_dissection(const std::vector<Eigen::Vector3d>& points, const std::vector<int>& offsets,
-                                   const std::vector<int>& neighbors)
+// k-th. The graph comes in compressed rows, symmetric and without loops. Same result on every run and any number of
+// threads. `go_on` is asked often, by the calling thread only; where it answers false, the order is empty.
+inline std::vector<int> nested_dissection(const std::vector<Eigen::Vector3d>& points, const std::vector<int>& offsets,
+                                          const std::vector<int>& neighbors, bool parallel,
+                                          const std::function<bool()>& go_on = {})
 {
-  constexpr bool is_parallel = !std::is_same<Concurrency_tag, Sequential_tag>::value;
-  constexpr int worth_a_thread = 10000;
-  const bool fork = is_parallel && points.size() > worth_a_thread;
-  return Nested_dissection(points, offsets, neighbors).compute(fork ? 3 : 0);
+  return Nested_dissection(points, offsets, neighbors).compute(parallel, go_on);
 }
 
 } // namespace internal
