@@ -11,6 +11,7 @@
 #include <CGAL/Gradient_domain_processing/Error_code.h>
 #include <CGAL/Gradient_domain_processing/internal/denoising/Noise_estimate.h>
 #include <CGAL/Gradient_domain_processing/internal/denoising/Normal_filter.h>
+#include <CGAL/Gradient_domain_processing/internal/denoising/Outliers.h>
 #include <CGAL/Gradient_domain_processing/internal/denoising/Position_fit.h>
 #include <CGAL/Gradient_domain_processing/visitor.h>
 
@@ -46,13 +47,13 @@ class Denoiser
   const Denoising_options& m_options;
   Denoising_summary& m_summary;
   bool m_parallel;
-  std::vector<char> m_is_constrained;
+  std::vector<char> m_is_constrained, m_is_outlier;
   Dual_graph m_dual;
   Lists m_rings;
   Noise_estimate m_noise;
   std::vector<Vec3> m_input, m_normals;
   std::vector<char> m_is_near_border; // by face
-  double m_mean_edge_length = 0;
+  double m_mean_edge_length = 0, m_reach = 1;
 
 public:
   Denoiser(const Indexed_triangles& mesh, const std::vector<char>& is_constrained, const Denoising_options& options, bool parallel,
@@ -63,6 +64,7 @@ public:
 
   Error_code operator()(Progress& progress, std::vector<Vec3>& points)
   {
+    repair_outliers(points);
     estimate(points);
     if(m_noise.level == 0)
       return OK;
@@ -104,6 +106,23 @@ public:
   }
 
 private:
+  void repair_outliers(std::vector<Vec3>& points)
+  {
+    m_is_outlier.assign(points.size(), 0);
+    for(int round = 0; round < denoising::outlier_rounds; ++round)
+    {
+      const Outliers outliers(m_mesh, m_rings, points, m_parallel);
+      if(outliers.size == 0)
+        break;
+      outliers.repair(m_is_constrained, points);
+      for(std::size_t v = 0; v < points.size(); ++v)
+        if(outliers.is_outlier[v] && !m_is_constrained[v])
+          m_is_outlier[v] = 1;
+    }
+    m_summary.number_of_outliers = std::size_t(std::count(m_is_outlier.begin(), m_is_outlier.end(), 1));
+    m_input = points;
+  }
+
   void estimate(const std::vector<Vec3>& points)
   {
     m_noise = estimate_noise(m_mesh, Face_geometry(m_mesh, m_dual, points, m_parallel), m_dual, m_rings, m_parallel);
@@ -112,6 +131,7 @@ private:
       m_noise.level = *m_options.noise_level;
       m_noise.share = 1;
     }
+    m_reach = (std::max)(1., m_options.noise_scale.value_or(1));
     m_summary.noise_level = m_noise.level;
     m_summary.noise_share = m_noise.share;
   }
@@ -121,7 +141,9 @@ private:
     using namespace denoising;
     Normal_smoothing s;
     s.similarity = (std::min)(similarity_max, (std::max)(similarity_min, similarity * m_noise.level * std::pow(similarity_decay, pass)));
-    s.weight = m_mean_edge_length * (std::min)(smoothing_max, denoising::smoothing * m_noise.level * std::pow(smoothing_growth, pass));
+    // what is correlated over L edges takes L squared times the diffusion
+    s.weight = m_mean_edge_length * m_reach * m_reach
+             * (std::min)(smoothing_max, denoising::smoothing * m_noise.level * std::pow(smoothing_growth, pass));
     // half as much again, for a face at the border has two neighbors instead of three
     if(m_is_near_border[f] && pass < border_passes)
       s.weight *= 1.5 * m_noise.border_level * std::pow(border_normal_decay, pass);
@@ -131,10 +153,10 @@ private:
   // Border vertices are held the more, the less noise there is on the border.
   void weigh_positions(Position_fit& fit) const
   {
-    const double weight = m_options.value_weight.value_or(denoising::value_weight);
+    const double weight = m_options.value_weight.value_or(denoising::value_weight / m_reach);
     const double least = denoising::border_value_weight;
     const double at_border = (std::max)(least, (std::min)(least / (std::max)(m_noise.border_variance, 1e-12), (std::max)(100., least)));
-    fit.set_weights([&](int v) { return m_mesh.is_on_border[v] ? weight * at_border : weight; },
+    fit.set_weights([&](int v) { return m_is_outlier[v] ? 0 : m_mesh.is_on_border[v] ? weight * at_border : weight; },
                     [&](int v) { return !m_is_constrained[v]; });
   }
 
