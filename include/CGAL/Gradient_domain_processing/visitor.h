@@ -16,6 +16,8 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Gradient_domain_processing {
@@ -80,7 +82,7 @@ struct Default_visitor
   /// is called before an error is returned that a face is to blame for, with one such face.
   template <class face_descriptor>
   void invalid_face(Error_code, face_descriptor) {}
-  /// is called with a sentence where a user may be surprised: nothing was changed and why, vertices were welded or held back.
+  /// is called, if it is there, with a sentence where a user may be surprised: nothing was changed and why, vertices were welded or held back.
   void notice(const std::string&) {}
 };
 
@@ -155,14 +157,28 @@ public:
   virtual void invalid_face(Error_code, typename Surface_traits<Surface>::face_descriptor) {}
 };
 
+template <class Visitor, class = void>
+struct Has_notice : std::false_type {};
+template <class Visitor>
+struct Has_notice<Visitor, decltype(std::declval<Visitor&>().notice(std::string()))> : std::true_type {};
+
 template <class Surface, class Visitor>
 class Visitor_progress : public Surface_progress<Surface>
 {
   Visitor m_visitor;
 
+  template <class V> static V& unwrap(V& v) { return v; }
+  template <class V> static V& unwrap(std::reference_wrapper<V>& v) { return v.get(); }
+  auto& get() { return unwrap(m_visitor); }
+
 public:
   explicit Visitor_progress(const Visitor& visitor) : m_visitor(visitor) {}
-  void notice(const std::string& sentence) override { get().notice(sentence); }
+  void notice(const std::string& sentence) override
+  {
+    (void)sentence;
+    if constexpr (Has_notice<typename std::decay<decltype(get())>::type>::value)
+      get().notice(sentence);
+  }
   void invalid_vertex(Error_code code, typename Surface_traits<Surface>::vertex_descriptor v) override { get().invalid_vertex(code, v); }
   void invalid_face(Error_code code, typename Surface_traits<Surface>::face_descriptor f) override { get().invalid_face(code, f); }
 
@@ -170,10 +186,6 @@ private:
   void stage_begins(Stage stage) override { get().stage_begins(stage); }
   void stage_ends(Stage stage) override { get().stage_ends(stage); }
   bool report(double done) override { return get().go_on(done); }
-
-  template <class V> static V& unwrap(V& v) { return v; }
-  template <class V> static V& unwrap(std::reference_wrapper<V>& v) { return v.get(); }
-  auto& get() { return unwrap(m_visitor); }
 };
 
 template <class Surface, class NamedParameters>

@@ -277,7 +277,8 @@ private:
       values = better;
       residual = less;
     }
-    return residual.norm() <= 1e-6 * right.norm() ? ok : error_cannot_solve_linear_system;
+    // what rounding leaves of a right-hand side that is small beside the matrix and the solution is no failure
+    return residual.norm() <= 1e-6 * right.norm() + 1e-12 * m_unshifted.norm() * values.norm() ? ok : error_cannot_solve_linear_system;
   }
 
   Eigen::MatrixXd multiply(const Eigen::MatrixXd& x) const

@@ -18,39 +18,65 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Weights under which missing values are filled in: these have none, and no gradient is asked for on their faces. The values
-// themselves become the mean of those that are there, from which the solution starts.
-inline Energy_weights weights_without(const Indexed_triangles& mesh, Energy_weights weights, Signal& signal)
+// Which rows have a channel without a value.
+inline std::vector<char> missing_rows(const Signal& signal)
 {
-  std::vector<char> is_missing(signal.rows(), 0);
-  Eigen::VectorXd mean = Eigen::VectorXd::Zero(signal.cols());
-  double count = 0;
-  for(int row = 0; row < int(signal.rows()); ++row)
-    if(signal.row(row).allFinite())
-    {
-      mean += signal.row(row).transpose();
-      ++count;
-    }
-    else
-      is_missing[row] = 1;
-  if(count == double(signal.rows()))
-    return weights;
-  mean /= (std::max)(count, 1.);
-  if(weights.value_at_vertex.empty())
-    weights.value_at_vertex.assign(mesh.points.size(), weights.value);
+  std::vector<char> is_missing(std::size_t(signal.rows()));
+  for(std::size_t row = 0; row < is_missing.size(); ++row)
+    is_missing[row] = !signal.row(Eigen::Index(row)).allFinite();
+  return is_missing;
+}
+
+// Weights that ask for no gradient on the faces of missing values.
+inline Energy_weights without_gradients_at(const std::vector<char>& is_missing, const Indexed_triangles& mesh, Energy_weights weights)
+{
   if(weights.scale_at_triangle.empty())
     weights.scale_at_triangle.assign(mesh.triangles.size(), weights.scale);
-  for(int row = 0; row < int(signal.rows()); ++row)
-    if(is_missing[row])
-    {
-      weights.value_at_vertex[mesh.vertex_of(row)] = 0;
-      signal.row(row) = mean.transpose();
-    }
   for(int f = 0; f < mesh.number_of_triangles(); ++f)
     for(int row : mesh.rows_of(f))
-      if(is_missing[row])
-        weights.scale_at_triangle[f] = 0;
+      if(is_missing[std::size_t(row)])
+        weights.scale_at_triangle[std::size_t(f)] = 0;
   return weights;
+}
+
+// Fills missing values in by the energy without a value weight, all others constrained: as smoothly as the metric has it.
+template <class Solver>
+Error_code fill_missing_values(const std::vector<char>& is_missing, Filter<Solver>& filter, Signal& signal)
+{
+  struct Restored
+  {
+    Linear_system<Solver>& system;
+    std::vector<char> is_constrained;
+    Energy_weights weights;
+    ~Restored()
+    {
+      system.set_constrained(std::move(is_constrained));
+      system.set_weights(weights);
+    }
+  };
+  const Indexed_triangles& mesh = filter.mesh();
+  const Restored scope{filter.system, filter.system.is_constrained, filter.system.weights()};
+  std::vector<char> has_value(mesh.points.size(), 1);
+  Signal filled = signal;
+  for(int row = 0; row < mesh.number_of_rows(); ++row)
+    if(is_missing[std::size_t(row)])
+    {
+      has_value[std::size_t(mesh.vertex_of(row))] = 0;
+      filled.row(row).setZero();
+    }
+  Energy_weights weights;
+  weights.value = 0;
+  weights.gradient = 1;
+  filter.system.set_constrained(std::move(has_value));
+  filter.system.set_weights(weights);
+  Signal change;
+  if(const Error_code code = filter.system.solve(Scaled_gradient(mesh, filter.system.weights(), filled), filter.progress(), change))
+    return code;
+  filter.add(change, filled);
+  for(Eigen::Index i = 0; i < signal.size(); ++i)
+    if(!std::isfinite(signal.data()[i]))
+      signal.data()[i] = filled.data()[i];
+  return ok;
 }
 
 template <class InMap, class OutMap, class Surface, class Solver>
@@ -69,15 +95,17 @@ Error_code filter_signal(InMap in, OutMap out, int number_of_iterations, bool ma
   }
   const Energy_weights own = filter.system.weights();
   const bool has_missing = may_be_missing && !signal.allFinite();
-  if(has_missing)
-    filter.system.set_weights(weights_without(filter.mesh(), own, signal));
   Error_code code = ok;
-  for(int i = 0; i < number_of_iterations && code == ok; ++i)
+  if(has_missing)
   {
-    code = filter.filter(signal);
-    if(has_missing && i == 0)
-      filter.system.set_weights(own);
+    const std::vector<char> is_missing = missing_rows(signal);
+    code = fill_missing_values(is_missing, filter, signal);
+    filter.system.set_weights(without_gradients_at(is_missing, filter.mesh(), own));
   }
+  for(int i = 0; i < number_of_iterations && code == ok; ++i)
+    code = filter.filter(signal);
+  if(has_missing)
+    filter.system.set_weights(own);
   if(code != ok || (code = filter.ready()) != ok)
     return code;
   Stage_scope stage(filter.progress(), Stage::WRITE);

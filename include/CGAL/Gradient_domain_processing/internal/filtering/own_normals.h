@@ -15,7 +15,17 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// The normals that the surface has at its vertices, by row: the caller's, or sums of area-weighted normals.
+// Sums of area-weighted normals, by row.
+inline Signal normals_by_row(const Indexed_triangles& mesh, bool parallel)
+{
+  const std::vector<Vec3> at_vertices = mesh.vertex_normals(parallel);
+  Signal normals(mesh.number_of_rows(), 3);
+  for(int row = 0; row < mesh.number_of_rows(); ++row)
+    normals.row(row) = at_vertices[mesh.vertex_of(row)].transpose();
+  return normals;
+}
+
+// The normals that the surface has at its vertices, by row: the caller's, or those above.
 template <class Solver, class Surface, class NamedParameters>
 Error_code read_own_normals(const NamedParameters& np, const Surface_elements<Surface>& elements, Filter<Solver>& filter, Signal& normals)
 {
@@ -24,10 +34,7 @@ Error_code read_own_normals(const NamedParameters& np, const Surface_elements<Su
     return read_vectors(parameter(np, CGAL::internal_np::vertex_normal_map, 0), elements, mesh, filter.culprit, normals);
   else
   {
-    const std::vector<Vec3> at_vertices = mesh.vertex_normals(filter.system.parallel);
-    normals.resize(mesh.number_of_rows(), 3);
-    for(int row = 0; row < mesh.number_of_rows(); ++row)
-      normals.row(row) = at_vertices[mesh.vertex_of(row)].transpose();
+    normals = normals_by_row(mesh, filter.system.parallel);
     return ok;
   }
 }

@@ -295,22 +295,30 @@ Error_code set_metric(const NamedParameters& np, const Surface_elements<Surface>
   }
 }
 
+// Whether the parameters ask for a metric that curvature stretches.
+template <class NamedParameters>
+bool needs_curvature(const NamedParameters& np)
+{
+  using namespace CGAL::internal_np;
+  typedef Parameter_type<curvature_metric_kind_t, NamedParameters, Curvature_metric_kind> Kind;
+  if constexpr (!Has_parameter<curvature_metric_kind_t, NamedParameters>::value)
+    return Has_parameter<curvature_weight_t, NamedParameters>::value && parameter(np, curvature_weight, 0.) != 0;
+  else if constexpr (std::is_same<typename std::decay<Kind>::type, Curvature_metric_kind>::value)
+    return parameter(np, curvature_metric_kind, Curvature_metric_kind::EMBEDDING) != Curvature_metric_kind::EMBEDDING
+        && parameter(np, curvature_weight, 0.02) != 0;
+  else
+    return true;
+}
+
 // What a verb with these parameters is going to do, in usual durations.
 template <class NamedParameters>
 double planned_work(const NamedParameters& np)
 {
-  using namespace CGAL::internal_np;
-  const auto sum = [](std::initializer_list<Stage> stages) {
-    double work = 0;
-    for(Stage stage : stages)
-      work += usual_duration(stage);
-    return work;
-  };
-  const double passes = (std::max)(1., double(parameter(np, number_of_iterations, 1)));
-  double pass = sum({Stage::ASSEMBLE, Stage::FACTOR, Stage::ASSEMBLE, Stage::SOLVE});
-  if(Has_parameter<curvature_metric_kind_t, NamedParameters>::value || Has_parameter<curvature_weight_t, NamedParameters>::value)
-    pass += pass + sum({Stage::CURVATURE, Stage::METRIC});
-  return sum({Stage::READ, Stage::ANALYZE, Stage::WRITE}) + passes * pass;
+  const double passes = (std::max)(1., double(parameter(np, CGAL::internal_np::number_of_iterations, 1)));
+  double pass = 2 * usual_duration(Stage::ASSEMBLE) + usual_duration(Stage::FACTOR) + usual_duration(Stage::SOLVE);
+  if(needs_curvature(np))
+    pass += pass + usual_duration(Stage::CURVATURE) + usual_duration(Stage::METRIC);
+  return usual_duration(Stage::READ) + usual_duration(Stage::ANALYZE) + usual_duration(Stage::WRITE) + passes * pass;
 }
 
 } // namespace internal

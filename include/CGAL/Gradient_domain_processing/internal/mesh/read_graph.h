@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -144,11 +145,24 @@ Error_code read_surface(const Graph& graph, VertexPointMap vpm, const NamedParam
   return check_points(is_bad, reading, mesh);
 }
 
-template <class Graph>
-bool is_face_of(typename boost::graph_traits<Graph>::face_descriptor f, const Graph& graph)
+// A Surface_mesh knows its indices; of another graph's descriptors only the null one is known to be none.
+template <class Graph, class = void>
+struct Face_check
 {
-  return f != boost::graph_traits<Graph>::null_face() && CGAL::is_valid_face_descriptor(f, graph);
-}
+  static bool is_face(typename boost::graph_traits<Graph>::face_descriptor f, const Graph&)
+  {
+    return f != boost::graph_traits<Graph>::null_face();
+  }
+};
+template <class Graph>
+struct Face_check<Graph, decltype(void(std::declval<const Graph&>().has_valid_index(
+                           std::declval<typename boost::graph_traits<Graph>::face_descriptor>())))>
+{
+  static bool is_face(typename boost::graph_traits<Graph>::face_descriptor f, const Graph& graph)
+  {
+    return graph.has_valid_index(f) && !graph.is_removed(f);
+  }
+};
 
 // The vertices at which a face outside of the region is, and the border of the mesh there.
 template <class Graph>
@@ -191,7 +205,7 @@ Error_code read_region(const FaceRange& region, const Graph& graph, VertexPointM
   reading.parallel = false;
   elements.faces.assign(region.begin(), region.end());
   for(auto f : elements.faces)
-    if(!is_face_of(f, graph))
+    if(!Face_check<Graph>::is_face(f, graph))
       return error_invalid_region;
   std::sort(elements.faces.begin(), elements.faces.end());
   elements.faces.erase(std::unique(elements.faces.begin(), elements.faces.end()), elements.faces.end());

@@ -45,7 +45,7 @@ public:
   Normal_fit(const Indexed_triangles& mesh, const Signal& normals_of_mesh, const Signal& wanted, Normal_fit_kind kind)
     : m_mesh(mesh), m_normals(wanted), m_planes(mesh.triangles.size()), m_is_by_edges(mesh.triangles.size())
   {
-    constexpr double height_of_caps = 1e-4; // the slivers of usual meshes are above it
+    constexpr double height_of_caps = 0.01; // the slivers of usual meshes are above it
     for(int f = 0; f < mesh.number_of_triangles(); ++f)
     {
       const Triangle_metric metric = mesh.embedding_metric(f);
