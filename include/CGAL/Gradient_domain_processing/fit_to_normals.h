@@ -12,15 +12,10 @@
 #include <CGAL/Gradient_domain_processing/internal/filtering/move_positions.h>
 #include <CGAL/Gradient_domain_processing/internal/filtering/own_normals.h>
 
-#include <vector>
-
 namespace CGAL {
 namespace Gradient_domain_processing {
 
 namespace internal {
-
-// Turning faces by what their corners' normals lack leaves a part of it: on a noisy sphere 0.72, then 0.5 of what it was.
-constexpr int most_normal_fits = 5;
 
 template <class Solver, class PointMap, class VertexNormalMap, class NamedParameters>
 Error_code fit_to_normals(Solver solver, PointMap point_map, VertexNormalMap normal_map, const NamedParameters& np)
@@ -44,28 +39,10 @@ Error_code fit_to_normals(Solver solver, PointMap point_map, VertexNormalMap nor
         return code;
     if(const Error_code code = solver.set_gradient_weight(parameter(np, normal_projection_weight, 100.)))
       return code;
-    const Normal_fit_kind kind = parameter(np, normal_fit_kind, Normal_fit_kind::FACES);
-    std::vector<Vec3> last_points;
-    double last_misfit = 0;
-    for(int i = 0; i < (kind == Normal_fit_kind::FACES ? most_normal_fits : 1); ++i)
-    {
-      if(i > 0) // goes on from what the last fit has reached, as long as that is nearer
-      {
-        own = normals_by_row(mesh, filter.system.parallel);
-        const double misfit = (own - wanted).squaredNorm();
-        if(i > 1 && !(misfit < 0.95 * last_misfit))
-        {
-          filter.system.mesh.points = last_points;
-          break;
-        }
-        last_misfit = misfit;
-        last_points = mesh.points;
-      }
-      Signal change;
-      if(const Error_code code = filter.solve(Normal_fit(mesh, own, wanted, kind), change))
-        return code;
-      filter.move_points(change);
-    }
+    Signal change;
+    if(const Error_code code = filter.solve(Normal_fit(mesh, own, wanted, parameter(np, normal_fit_kind, Normal_fit_kind::FACES)), change))
+      return code;
+    filter.move_points(change);
     return end_of_pass();
   });
 }
@@ -79,7 +56,8 @@ Error_code fit_to_normals(Solver solver, PointMap point_map, VertexNormalMap nor
  * and metric of the parameters, unless \f$ \lambda = 1 \f$. Then positions are solved for whose gradients fit the target
  * \f$ v = (I - m m^T) \nabla x \f$ best, with the weight `normal_projection_weight` in place of \f$ \beta \f$. The normal \f$ m \f$ wanted
  * of a face is its own, turned by the rotation that takes the mean of the mesh's vertex normals at its corners to that of the wanted ones:
- * the mesh's own normals move nothing, at creases and corners either. The vertex normals of the mesh are its `vertex_normal_map` if one is
+ * the mesh's own normals move nothing, at creases and corners either. Where the wanted normals differ from the mesh's by as much as
+ * the face does from the mean at its corners, that mean of the wanted ones is taken instead. The vertex normals of the mesh are its `vertex_normal_map` if one is
  * named, else the normalized sums of area-weighted face normals.
  *
  * With `normal_fit_kind(Normal_fit_kind::EDGES)`, as in the program of the paper's authors (after Yu et al.\ 2004), every edge

@@ -105,7 +105,7 @@ struct Named_function_parameters<T, Tag, Gradient_domain_processing::internal::P
   typedef Named_function_parameters self;
   typedef int CGAL_Named_function_parameters_class; // by which CGAL 6 recognizes a pack
 
-  Named_function_parameters(const T& v, const Gradient_domain_processing::internal::Pack<Base>& b) : base(v, b) {}
+  Named_function_parameters(const T& value, const Gradient_domain_processing::internal::Pack<Base>& before) : base(value, before) {}
 
 #define CGAL_GDP_OWN_MEMBER(NAME) CGAL_GDP_MEMBER(NAME##_t, NAME)
 CGAL_GDP_NAMES(CGAL_GDP_OWN_MEMBER)

@@ -53,8 +53,8 @@ public:
     for(int v : candidates)
     {
       const Cell cell = cell_of(m_points[v]);
-      for_each_cell_around(cell, [&](const Cell& near) {
-        const auto found = m_cells.find(near);
+      for_each_cell_around(cell, [&](const Cell& neighbor) {
+        const auto found = m_cells.find(neighbor);
         if(found != m_cells.end())
           for(int w : found->second)
             if((m_points[v] - m_points[w]).norm() <= m_tolerance)

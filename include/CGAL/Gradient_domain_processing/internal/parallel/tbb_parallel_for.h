@@ -44,8 +44,8 @@ public:
   template <class Body>
   static Loop_body of(const Body& body)
   {
-    return Loop_body(&body, [](const void* body, const Loop_range& range) CGAL_GRADIENT_DOMAIN_PROCESSING_NO_TSAN {
-      (*static_cast<const Body*>(body))(range);
+    return Loop_body(&body, [](const void* erased, const Loop_range& range) CGAL_GRADIENT_DOMAIN_PROCESSING_NO_TSAN {
+      (*static_cast<const Body*>(erased))(range);
     });
   }
 
