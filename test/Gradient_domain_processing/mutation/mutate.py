@@ -220,6 +220,8 @@ def included_by(path, include, seen):
 
 def tests_of(header, arguments):
     """Names of the tests for a header given relative to the package."""
+    if arguments.tests:
+        return arguments.tests
     existing = {p.stem for p in (ROOT / TESTS).glob("test_*.cpp")} - NEVER
     meant = []
     for pattern, tests in MEANT_FOR:
@@ -310,6 +312,7 @@ def main():
     parser.add_argument("--number", type=int, default=0, help="size of the sample; 0: every mutant")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--tests", nargs="+", help="these tests in place of those that are meant for a header")
     parser.add_argument("--all", action="store_true", help="after the tests that are meant for a header, all that include it")
     parser.add_argument("--compiler", default="g++")
     parser.add_argument("--optimization", default="O1")
