@@ -94,6 +94,7 @@ host() {
     skip "clang++, libc++" "no clang++ with libc++"
   fi
   if echo '#include <curses.h>' | g++ -x c++ -fsyntax-only - 2> /dev/null; then
+    entry "No name of ours is a macro of <curses.h>" "$here/check_macros.py" "$include" g++ curses.h
     $quick || syntax "g++ $(version g++), C++17, <curses.h> before" g++ -std=c++17 "${eigen[@]}" -DPORTABILITY_CURSES_H
   else
     skip "g++, <curses.h> before" "no curses.h"
@@ -131,6 +132,7 @@ mingw() {
     skip "mingw-w64" "no $compiler"
     return
   fi
+  entry "No name of ours is a macro of <windows.h>" "$here/check_macros.py" "$include" $compiler windows.h
   mkdir -p "$foreign"
   for header in CGAL boost eigen3; do ln -sfn /usr/include/$header "$foreign/$header"; done
   local flags=(-std=c++17 -Wa,-mbig-obj -isystem "$foreign" -isystem "$foreign/eigen3" "${without_gmp[@]}")
