@@ -6,14 +6,16 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES AND PROJECT_IS_TOP_LEV
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug, Release, RelWithDebInfo or MinSizeRel" FORCE)
 endif()
 
-# gradient_domain_processing_programs(<kind> [EXCEPT <source>...] [WORKING_DIRECTORY <dir>])
+# gradient_domain_processing_programs(<kind> [EXCEPT <source>...] [WORKING_DIRECTORY <dir>] [OPTIONS <flag>...])
 #
 # Every *.cpp in the current folder becomes a program of its name and, unless the kind is benchmark, a CTest test
 # <kind>/<name> that runs it. Targets are <kind>_<name>, so that a test and an example may share a name; a name that
-# begins so already stays as it is.
+# begins so already stays as it is. Programs of one kind share a precompiled header of other libraries' headers, but not of ours,
+# whose includes shall be seen to be complete. (CMAKE_DISABLE_PRECOMPILE_HEADERS switches it off.)
 function(gradient_domain_processing_programs kind)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "WORKING_DIRECTORY" "EXCEPT")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "WORKING_DIRECTORY" "EXCEPT;OPTIONS")
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  set(first_target)
   foreach(source IN LISTS sources)
     get_filename_component(file ${source} NAME)
     get_filename_component(name ${source} NAME_WE)
@@ -26,8 +28,15 @@ function(gradient_domain_processing_programs kind)
     endif()
     add_executable(${target} ${source})
     set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name} CXX_EXTENSIONS OFF)
+    target_compile_options(${target} PRIVATE ${arg_OPTIONS})
     target_link_libraries(${target} PRIVATE CGAL::Gradient_domain_processing)
     if(NOT kind STREQUAL "benchmark")
+      if(first_target)
+        target_precompile_headers(${target} REUSE_FROM ${first_target})
+      else()
+        target_precompile_headers(${target} PRIVATE "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/precompiled.h")
+        set(first_target ${target})
+      endif()
       add_test(NAME ${kind}/${name} COMMAND ${target} WORKING_DIRECTORY ${arg_WORKING_DIRECTORY})
       set_tests_properties(${kind}/${name} PROPERTIES TIMEOUT 900)
     endif()

@@ -5,8 +5,8 @@
 #   run.sh --quick    those that continuous integration has time for
 #   run.sh NAME...    entries by their first word: host, cgal60, cgal62, m32, mingw, trixie, sid
 #
-# Everything it fetches and writes lies in $PORTABILITY_DIR (build/portability). CGAL and Eigen of Debian trixie and sid come with
-# `apt-get download`. Where debootstrap is and PORTABILITY_CHROOT=1 is set (root; 2 GB each), so do whole systems with their compilers.
+# Everything it fetches and writes lies in $PORTABILITY_DIR (build/portability). CGAL and Eigen of Debian trixie and sid come by
+# fetch_headers.sh. Where debootstrap is and PORTABILITY_CHROOT=1 is set (root; 2 GB each), so do whole systems with their compilers.
 set -uo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../../.." && pwd)
@@ -26,30 +26,6 @@ done
 warnings=(-Werror -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
 without_gmp=(-DCGAL_DISABLE_GMP=1 -DCGAL_DO_NOT_USE_MPZF=1)
 accelerators=(-DCGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD -isystem /usr/include/suitesparse -DCGAL_LINKED_WITH_TBB)
-
-# fetch SUITE: headers of CGAL and Eigen of another Debian in $work/SUITE-headers. The system's own source list with the suite
-# exchanged, in an apt state of its own: nothing of the system changes.
-fetch() {
-  local suite=$1 apt=$work/apt-$1 headers=$work/$1-headers list package
-  [ -d "$headers/usr/include/CGAL" ] && return 0
-  command -v apt-get > /dev/null || return 1
-  mkdir -p "$apt/lists/partial" "$apt/cache/archives/partial" "$apt/download" "$headers"
-  if [ -f /etc/apt/sources.list.d/debian.sources ]; then
-    list=$apt/suite.sources
-    awk -v suite="$suite" 'BEGIN { RS = ""; ORS = "\n\n" }
-      !/security/ { sub(/Suites:[^\n]*/, "Suites: " suite); print }' /etc/apt/sources.list.d/debian.sources > "$list"
-  else
-    list=$apt/suite.list
-    awk -v suite="$suite" '$1 == "deb" && / bookworm / { sub(/ bookworm /, " " suite " "); print }' /etc/apt/sources.list > "$list"
-  fi
-  local options=(-o Dir::Etc::SourceList="$list" -o Dir::Etc::SourceParts=/dev/null
-                 -o Dir::State::Lists="$apt/lists" -o Dir::Cache="$apt/cache" -o APT::Sandbox::User=)
-  apt-get "${options[@]}" update > "$apt/log" 2>&1
-  (cd "$apt/download" && apt-get "${options[@]}" download libcgal-dev libeigen3-dev >> "$apt/log" 2>&1) || return 1
-  for package in "$apt"/download/*.deb; do
-    dpkg -x "$package" "$headers" || return 1
-  done
-}
 
 # chroot_of SUITE PACKAGE...: a whole system in $work/SUITE
 chroot_of() {
@@ -118,6 +94,7 @@ host() {
     skip "clang++, libc++" "no clang++ with libc++"
   fi
   if echo '#include <curses.h>' | g++ -x c++ -fsyntax-only - 2> /dev/null; then
+    entry "No name of ours is a macro of <curses.h>" "$here/check_macros.py" "$include" g++ curses.h
     $quick || syntax "g++ $(version g++), C++17, <curses.h> before" g++ -std=c++17 "${eigen[@]}" -DPORTABILITY_CURSES_H
   else
     skip "g++, <curses.h> before" "no curses.h"
@@ -125,8 +102,8 @@ host() {
 }
 other_cgal() { # other_cgal SUITE: with that suite's Eigen
   local versions
-  if ! fetch "$1"; then
-    skip "CGAL and Eigen of Debian $1" "they could not be fetched: $work/apt-$1/log"
+  if ! "$here/fetch_headers.sh" "$1" "$work/$1-headers" > "$work/logs/fetch-$1" 2>&1; then
+    skip "CGAL and Eigen of Debian $1" "they could not be fetched: $work/logs/fetch-$1"
     return
   fi
   versions="CGAL $(sed -n 's/^#define CGAL_VERSION \(.*\)/\1/p' "$work/$1-headers/usr/include/CGAL/version.h"), Eigen $(
@@ -155,6 +132,7 @@ mingw() {
     skip "mingw-w64" "no $compiler"
     return
   fi
+  entry "No name of ours is a macro of <windows.h>" "$here/check_macros.py" "$include" $compiler windows.h
   mkdir -p "$foreign"
   for header in CGAL boost eigen3; do ln -sfn /usr/include/$header "$foreign/$header"; done
   local flags=(-std=c++17 -Wa,-mbig-obj -isystem "$foreign" -isystem "$foreign/eigen3" "${without_gmp[@]}")
@@ -168,7 +146,7 @@ mingw() {
   fi
 }
 whole_system() { # whole_system SUITE GCC CLANG
-  local suite=$1 gcc=$2 clang=$3 standard
+  local suite=$1 gcc=$2 clang=$3 standard # the newest of each compiler, with that suite's CGAL and Eigen
   if ! chroot_of "$suite" g++-$gcc clang-$clang libc++-$clang-dev libc++abi-$clang-dev libcgal-dev libeigen3-dev libboost-dev \
       libsuitesparse-dev libopenblas-dev libtbb-dev; then
     skip "Debian $suite: g++-$gcc, clang++-$clang" "no system in $work/$suite (PORTABILITY_CHROOT=1 makes it)"
@@ -176,9 +154,10 @@ whole_system() { # whole_system SUITE GCC CLANG
   fi
   rm -rf "$work/$suite/gdp"
   mkdir "$work/$suite/gdp"
-  cp -r "$include" "$source" "$work/$suite/gdp"
+  cp -r "$include" "$work/$suite/gdp/include"
+  cp "$source" "$work/$suite/gdp"
   local flags=("${warnings[@]}" -I /gdp/include -isystem /usr/include/eigen3 -DCGAL_EIGEN3_ENABLED -fsyntax-only "${accelerators[@]}" /gdp/every_verb.cpp)
-  for standard in 17 20 23; do
+  for standard in 20 23; do
     entry "Debian $suite: g++-$gcc, C++$standard" chroot "$work/$suite" g++-$gcc -std=c++$standard "${flags[@]}"
     entry "Debian $suite: clang++-$clang, C++$standard" chroot "$work/$suite" clang++-$clang -std=c++$standard "${flags[@]}"
   done
