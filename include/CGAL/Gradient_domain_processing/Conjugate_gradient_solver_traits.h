@@ -29,7 +29,8 @@ namespace Gradient_domain_processing {
  *
  * solves symmetric positive definite systems by conjugate gradients, preconditioned by an algebraic multigrid method (smoothed
  * aggregation). Memory grows linearly with the mesh: it is for meshes whose Cholesky factor does not fit in memory. The number of
- * iterations grows slowly with the mesh, and with slivers and strong anisotropy. Where several signals are processed with one
+ * iterations grows slowly with the mesh, and with strong anisotropy; vertices that slivers bind to their neighbors are eliminated
+ * beforehand. Where several signals are processed with one
  * matrix, the default solver is faster.
  *
  * The iteration starts from zero. As this package solves for the change of a signal, that is a start from the signal itself.
@@ -148,21 +149,22 @@ public:
   Error_code factorize(const Eigen::SparseMatrix<double>& matrix, const std::function<bool()>& go_on = {})
   {
     m_is_factorized = false;
-    if(go_on && !go_on())
-      return ERROR_CANCELLED;
     m_claim.take();
-    try { m_is_factorized = m_traits.solver().compute(matrix); }
+    try { m_is_factorized = m_traits.solver().compute(matrix, go_on); }
     catch(const std::bad_alloc&) { return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM; }
-    return m_is_factorized ? OK : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+    return m_is_factorized ? OK : m_traits.solver().is_cancelled ? ERROR_CANCELLED : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
   }
 
   Error_code solve(const Eigen::MatrixXd& right, Eigen::MatrixXd& solution, const std::function<bool()>& go_on = {})
   {
     if(!has_factor())
       return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
-    if(go_on && !go_on())
-      return ERROR_CANCELLED;
-    try { return m_traits.solver().solve(right, solution) ? OK : ERROR_NOT_CONVERGED; }
+    try
+    {
+      if(m_traits.solver().solve(right, solution, go_on))
+        return OK;
+      return m_traits.solver().is_cancelled ? ERROR_CANCELLED : ERROR_NOT_CONVERGED;
+    }
     catch(const std::bad_alloc&) { return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM; }
   }
 };

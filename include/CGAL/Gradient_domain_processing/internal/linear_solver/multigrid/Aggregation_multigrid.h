@@ -8,6 +8,7 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_MULTIGRID_AGGREGATION_MULTIGRID_H
 
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/multigrid/Sparse_rows.h>
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/multigrid/Stiff_elimination.h>
 #include <CGAL/Gradient_domain_processing/internal/parallel/parallel_blocks.h>
 
 #include <Eigen/Cholesky>
@@ -16,6 +17,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -37,23 +40,38 @@ class Aggregation_multigrid
   {
     Matrix matrix, prolongation, restriction;
     std::vector<Real> inverse_diagonal; // of the smoother
-    std::vector<Real> right, solution, rest;
+    std::vector<Real> right, solution, residual;
   };
 
+  // What comes before the levels, where there are slivers.
+  struct Elimination_level
+  {
+    Stiff_elimination<Real> elimination;
+    std::vector<Real> right, solution; // after it
+  };
+
+  static constexpr int max_number_of_eliminations = 12; // slivers that hang together take several
+
+  Matrix m_finest; // where it is not that of the first level
+  std::vector<Elimination_level> m_eliminations;
   std::vector<Level> m_levels;
   Eigen::LLT<Eigen::MatrixXd> m_coarsest;
   bool m_solves_coarsest = false;
   bool m_parallel = true;
 
 public:
-  // Builds the hierarchy. Returns whether the diagonal is positive, as it is in every positive definite matrix.
-  bool compute(Matrix matrix, bool parallel)
+  // Builds the hierarchy. Returns whether the diagonal is positive, as it is in every positive definite matrix; and false where
+  // `go_on`, asked at every level, answered so.
+  bool compute(Matrix matrix, bool parallel, const std::function<bool()>& go_on = {})
   {
     m_parallel = parallel;
     m_levels.clear();
+    m_eliminations.clear();
+    Matrix().swap(m_finest);
+    eliminate_stiff(matrix);
     m_solves_coarsest = false;
     double threshold = 0.08;
-    while(true)
+    while(!go_on || go_on())
     {
       m_levels.emplace_back();
       Level& level = m_levels.back();
@@ -72,6 +90,7 @@ public:
       matrix = galerkin_product(level);
       threshold /= 2;
     }
+    return false;
   }
 
   // x = V b for K channels that lie together.
@@ -86,14 +105,45 @@ public:
         level.right.resize(size);
         level.solution.resize(size);
       }
-      level.rest.resize(size);
+      level.residual.resize(size);
     }
-    cycle<K>(0, b, x);
+    if(m_eliminations.empty())
+      cycle<K>(0, b, x);
+    else
+      eliminate_and_cycle<K>(0, b, x);
   }
 
-  const Matrix& finest() const { return m_levels.front().matrix; }
+  const Matrix& finest() const { return m_eliminations.empty() ? m_levels.front().matrix : m_finest; }
 
 private:
+  void eliminate_stiff(Matrix& matrix)
+  {
+    for(int count = 0; count < max_number_of_eliminations; ++count)
+    {
+      Elimination_level level;
+      Matrix remainder;
+      if(!level.elimination.eliminate(matrix, m_parallel, remainder))
+        return;
+      if(count == 0)
+        m_finest.swap(matrix);
+      matrix.swap(remainder);
+      m_eliminations.push_back(std::move(level));
+    }
+  }
+
+  template <int K, class B, class X>
+  void eliminate_and_cycle(std::size_t depth, const B& b, X& x)
+  {
+    Elimination_level& level = m_eliminations[depth];
+    level.elimination.template restrict_to<K>(b, level.right, m_parallel);
+    level.solution.resize(level.right.size());
+    if(depth + 1 < m_eliminations.size())
+      eliminate_and_cycle<K>(depth + 1, level.right, level.solution);
+    else
+      cycle<K>(0, level.right, level.solution);
+    level.elimination.template prolongate<K>(b, level.solution, x, m_parallel);
+  }
+
   template <int K, class B, class X>
   void cycle(std::size_t depth, const B& b, X& x)
   {
@@ -108,7 +158,7 @@ private:
     {
       Level& coarser = m_levels[depth + 1];
       subtract_product<K>(level, b, x);
-      multiply<K>(level.restriction, level.rest, coarser.right);
+      level.restriction.template multiply<K>(level.residual, coarser.right, m_parallel);
       cycle<K>(depth + 1, coarser.right, coarser.solution);
       add_product<K>(level.prolongation, coarser.solution, x);
     }
@@ -170,8 +220,8 @@ private:
   void smooth_backward(Level& level, const B& b, X& x) const
   {
     const Matrix& a = level.matrix;
-    for_each_block(m_parallel, level.rest.size(), block_size,
-                   [&](std::size_t begin, std::size_t end) { std::copy(&x[begin], &x[begin] + (end - begin), &level.rest[begin]); });
+    for_each_block(m_parallel, level.residual.size(), block_size,
+                   [&](std::size_t begin, std::size_t end) { std::copy(&x[begin], &x[begin] + (end - begin), &level.residual[begin]); });
     for_each_block(m_parallel, a.rows(), block_size, [&](std::size_t begin, std::size_t end) {
       for(std::size_t i = end; i-- > begin; )
       {
@@ -181,7 +231,7 @@ private:
         for(int e = a.offset[i]; e < a.offset[i + 1]; ++e)
         {
           const std::size_t j = a.column[e];
-          const auto* at = j >= begin && j < end ? &x[K * j] : &level.rest[K * j];
+          const auto* at = j >= begin && j < end ? &x[K * j] : &level.residual[K * j];
           for(int c = 0; c < K; ++c)
             sum[c] -= a.value[e] * Real(at[c]);
         }
@@ -191,7 +241,7 @@ private:
     });
   }
 
-  // rest = b - A x
+  // residual = b - A x
   template <int K, class B, class X>
   void subtract_product(Level& level, const B& b, const X& x) const
   {
@@ -201,21 +251,7 @@ private:
         Real sum[K];
         level.matrix.template multiply_row<K>(i, x, sum);
         for(int c = 0; c < K; ++c)
-          level.rest[K * i + c] = Real(b[K * i + c]) - sum[c];
-      }
-    });
-  }
-
-  template <int K, class X, class Y>
-  void multiply(const Matrix& a, const X& x, Y& y) const
-  {
-    for_each_block(m_parallel, a.rows(), block_size, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t i = begin; i < end; ++i)
-      {
-        Real sum[K];
-        a.template multiply_row<K>(i, x, sum);
-        for(int c = 0; c < K; ++c)
-          y[K * i + c] = sum[c];
+          level.residual[K * i + c] = Real(b[K * i + c]) - sum[c];
       }
     });
   }

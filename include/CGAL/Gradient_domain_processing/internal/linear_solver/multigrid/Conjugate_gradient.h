@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -41,32 +42,41 @@ public:
 
   int iterations = 0; // of the last solution: the most of any channel
   double error = 0;   // likewise
+  bool is_cancelled = false; // as `go_on` has answered to the last question
 
   // Builds the preconditioner for a symmetric matrix with both its triangles. Returns whether its diagonal is positive.
-  bool compute(const Eigen::SparseMatrix<double>& matrix)
+  bool compute(const Eigen::SparseMatrix<double>& matrix, const std::function<bool()>& go_on = {})
   {
-    return m_preconditioner.compute(rows_of(matrix), parallel);
+    is_cancelled = false;
+    return m_preconditioner.compute(rows_of(matrix), parallel, [&] { return asked(go_on); });
   }
 
-  // Returns whether all channels, the columns, converged.
-  bool solve(const Eigen::MatrixXd& right, Eigen::MatrixXd& solution)
+  // Returns whether all channels, the columns, converged. `go_on` is asked at every iteration.
+  bool solve(const Eigen::MatrixXd& right, Eigen::MatrixXd& solution, const std::function<bool()>& go_on = {})
   {
+    is_cancelled = false;
     iterations = 0;
     error = 0;
     solution.resize(right.rows(), right.cols());
     bool has_converged = true;
-    for(int first = 0; first < right.cols(); first += max_channels_together)
+    for(int first = 0; first < right.cols() && !is_cancelled; first += max_channels_together)
       switch((std::min)(int(right.cols()) - first, max_channels_together))
       {
-        case 1: has_converged &= solve<1>(right, first, solution); break;
-        case 2: has_converged &= solve<2>(right, first, solution); break;
-        case 3: has_converged &= solve<3>(right, first, solution); break;
-        case 4: has_converged &= solve<4>(right, first, solution); break;
+        case 1: has_converged &= solve<1>(right, first, solution, go_on); break;
+        case 2: has_converged &= solve<2>(right, first, solution, go_on); break;
+        case 3: has_converged &= solve<3>(right, first, solution, go_on); break;
+        case 4: has_converged &= solve<4>(right, first, solution, go_on); break;
       }
     return has_converged;
   }
 
 private:
+  bool asked(const std::function<bool()>& go_on)
+  {
+    is_cancelled = go_on && !go_on();
+    return !is_cancelled;
+  }
+
   // Symmetric: its columns are its rows.
   static Sparse_rows<double> rows_of(const Eigen::SparseMatrix<double>& matrix)
   {
@@ -87,7 +97,7 @@ private:
   // Starts from zero. The error is measured by |r|_B / |b|_B, where B is the preconditioner and about the inverse of A: it is that
   // of the solution in the norm of the energy, up to the quality of B.
   template <int K>
-  bool solve(const Eigen::MatrixXd& right, int first, Eigen::MatrixXd& solution)
+  bool solve(const Eigen::MatrixXd& right, int first, Eigen::MatrixXd& solution, const std::function<bool()>& go_on)
   {
     const std::size_t n = right.rows();
     std::vector<double> x(K * n, 0.), r(K * n), p(K * n, 0.), z(K * n);
@@ -104,7 +114,7 @@ private:
     limit = tolerance * tolerance * initial;
     bool is_sound = (rho >= 0).all() && rho.allFinite();
     int count = 0;
-    while(is_sound && (rho > limit).any() && count < max_iterations)
+    while(is_sound && (rho > limit).any() && count < max_iterations && asked(go_on))
     {
       const Channels<K> turn = count > 0 ? quotient<K>(rho, old_rho, rho > limit) : Channels<K>(Channels<K>::Zero());
       for_each_row(n, [&](std::size_t i) {
@@ -135,7 +145,7 @@ private:
     for(int c = 0; c < K; ++c)
       if(initial[c] != 0)
         error = (std::max)(error, std::sqrt(rho[c] / initial[c]));
-    return is_sound && (rho <= limit).all();
+    return is_sound && !is_cancelled && (rho <= limit).all();
   }
 
   // Channels that have converged stay where they are.

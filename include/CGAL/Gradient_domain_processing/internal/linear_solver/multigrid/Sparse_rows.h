@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -27,6 +28,14 @@ struct Sparse_rows
   int columns = 0;
 
   int rows() const { return int(offset.size()) - 1; }
+
+  void swap(Sparse_rows& other)
+  {
+    offset.swap(other.offset);
+    column.swap(other.column);
+    value.swap(other.value);
+    std::swap(columns, other.columns);
+  }
 
   std::vector<Real> diagonal() const
   {
@@ -50,6 +59,21 @@ struct Sparse_rows
         s[c] += value[e] * Real(at[c]);
     }
     std::copy(s, s + K, sum);
+  }
+
+  // y = A x for K columns that lie together.
+  template <int K, class X, class Y>
+  void multiply(const X& x, Y& y, bool parallel) const
+  {
+    for_each_block(parallel, std::size_t(rows()), 8192, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t i = begin; i < end; ++i)
+      {
+        Real sum[K];
+        multiply_row<K>(i, x, sum);
+        for(std::size_t c = 0; c < K; ++c)
+          y[K * i + c] = sum[c];
+      }
+    });
   }
 };
 
