@@ -9,6 +9,7 @@
 
 #include <CGAL/Gradient_domain_processing/Denoising_summary.h>
 #include <CGAL/Gradient_domain_processing/Error_code.h>
+#include <CGAL/Gradient_domain_processing/internal/denoising/Noise_correlation.h>
 #include <CGAL/Gradient_domain_processing/internal/denoising/Noise_estimate.h>
 #include <CGAL/Gradient_domain_processing/internal/denoising/Normal_filter.h>
 #include <CGAL/Gradient_domain_processing/internal/denoising/Outliers.h>
@@ -93,7 +94,7 @@ public:
           return ERROR_CANCELLED;
         fit_positions(m_input, m_normals, points);
       }
-      if(!m_options.number_of_iterations && is_at_end(k, before, variation, points))
+      if(!m_options.number_of_iterations && m_reach == 1 && is_at_end(k, before, variation, points))
         break;
       m_summary.number_of_iterations = k + 1;
       if(k + 1 == denoising::border_passes)
@@ -125,15 +126,24 @@ private:
 
   void estimate(const std::vector<Vec3>& points)
   {
-    m_noise = estimate_noise(m_mesh, Face_geometry(m_mesh, m_dual, points, m_parallel), m_dual, m_rings, m_parallel);
+    const Face_geometry faces(m_mesh, m_dual, points, m_parallel);
+    m_noise = estimate_noise(m_mesh, faces, m_dual, m_rings, m_parallel);
+    const bool is_white = m_noise.level > 0;
+    const bool is_correlated = has_correlated_noise(m_mesh, m_dual, m_rings, points, faces, m_parallel);
+    const bool is_named = m_options.noise_level || m_options.noise_scale || m_options.number_of_iterations;
+    if(is_correlated || (m_options.noise_scale && *m_options.noise_scale > 1))
+      m_noise.level = denoising::correlated_level;
+    else if(!is_white && is_named)
+      m_noise.level = m_noise.roughness_level; // somebody knows better
     if(m_options.noise_level)
-    {
       m_noise.level = *m_options.noise_level;
+    if(is_named && !is_white)
       m_noise.share = 1;
-    }
-    m_reach = (std::max)(1., m_options.noise_scale.value_or(1));
+    m_reach = (std::max)(1., m_options.noise_scale.value_or(is_correlated ? denoising::correlated_scale : is_white ? 1 : denoising::rest_scale));
     m_summary.noise_level = m_noise.level;
     m_summary.noise_share = m_noise.share;
+    m_summary.noise_scale = m_reach > 1 ? m_reach : 0;
+    m_summary.roughness_level = m_noise.roughness_level;
   }
 
   Normal_smoothing smoothing(int pass, int f) const
