@@ -28,6 +28,7 @@ TUNE double normal_tolerance = 1e-3, position_tolerance = 1e-2;
 TUNE double weak_outlier = 0.25, strong_outlier = 1.2, outlier_by_median = 6, outlier_by_ring = 2.5, least_weak_share = 0.01;
 TUNE double fine_smoothing = 4, least_rough_angle = 0.12, least_correlated_excess = 0.06, correlated_level = 0.15, correlated_scale = 6, rest_scale = 1.5;
 constexpr int correlation_sample = 3000;
+constexpr int least_component = 200;
 constexpr int outlier_steps = 10;
 constexpr int outlier_rounds = 3;
 constexpr int most_solver_steps = 200;
