@@ -24,6 +24,7 @@ struct Noise_estimate
 {
   double level = 0;             // of face normals, in radians; zero for a clean mesh
   double share = 1;             // of the roughness: noise rather than detail
+  double roughness_level = 0;   // the level, if all roughness were noise
   double border_variance = 1;   // of the noise at the border, relative to that inside
   double border_level = 1;      // of face normals at the border, relative to that of all; at most one
 };
@@ -206,7 +207,8 @@ inline Noise_estimate estimate_noise(const Indexed_triangles& mesh, const Face_g
   noise.border_variance = offsets.border_variance();
   if(roughness.of_border_faces < roughness.of_faces)
     noise.border_level = roughness.of_border_faces / roughness.of_faces;
-  const double level = normal_noise_by_roughness * roughness.of_faces * noise.share;
+  noise.roughness_level = normal_noise_by_roughness * roughness.of_faces;
+  const double level = noise.roughness_level * noise.share;
   if(share > share_of_clean_meshes && level > level_of_clean_meshes && !is_faceted(mesh, faces, dual, roughness.of_faces))
     noise.level = std::sqrt(level * level - level_of_clean_meshes * level_of_clean_meshes);
   return noise;

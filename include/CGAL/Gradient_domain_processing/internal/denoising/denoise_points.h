@@ -9,15 +9,19 @@
 
 #include <CGAL/Gradient_domain_processing/Denoising_summary.h>
 #include <CGAL/Gradient_domain_processing/Error_code.h>
+#include <CGAL/Gradient_domain_processing/internal/denoising/Noise_correlation.h>
 #include <CGAL/Gradient_domain_processing/internal/denoising/Noise_estimate.h>
 #include <CGAL/Gradient_domain_processing/internal/denoising/Normal_filter.h>
 #include <CGAL/Gradient_domain_processing/internal/denoising/Outliers.h>
 #include <CGAL/Gradient_domain_processing/internal/denoising/Position_fit.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/connected_components.h>
 #include <CGAL/Gradient_domain_processing/visitor.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -93,7 +97,7 @@ public:
           return ERROR_CANCELLED;
         fit_positions(m_input, m_normals, points);
       }
-      if(!m_options.number_of_iterations && is_at_end(k, before, variation, points))
+      if(!m_options.number_of_iterations && m_reach == 1 && is_at_end(k, before, variation, points))
         break;
       m_summary.number_of_iterations = k + 1;
       if(k + 1 == denoising::border_passes)
@@ -125,15 +129,24 @@ private:
 
   void estimate(const std::vector<Vec3>& points)
   {
-    m_noise = estimate_noise(m_mesh, Face_geometry(m_mesh, m_dual, points, m_parallel), m_dual, m_rings, m_parallel);
+    const Face_geometry faces(m_mesh, m_dual, points, m_parallel);
+    m_noise = estimate_noise(m_mesh, faces, m_dual, m_rings, m_parallel);
+    const bool is_white = m_noise.level > 0;
+    const bool is_correlated = has_correlated_noise(m_mesh, m_dual, m_rings, points, faces, m_parallel);
+    const bool is_named = m_options.noise_level || m_options.noise_scale || m_options.number_of_iterations;
+    if(is_correlated || (m_options.noise_scale && *m_options.noise_scale > 1))
+      m_noise.level = denoising::correlated_level;
+    else if(!is_white && is_named)
+      m_noise.level = m_noise.roughness_level; // somebody knows better
     if(m_options.noise_level)
-    {
       m_noise.level = *m_options.noise_level;
+    if(is_named && !is_white)
       m_noise.share = 1;
-    }
-    m_reach = (std::max)(1., m_options.noise_scale.value_or(1));
+    m_reach = (std::max)(1., m_options.noise_scale.value_or(is_correlated ? denoising::correlated_scale : is_white ? 1 : denoising::rest_scale));
     m_summary.noise_level = m_noise.level;
     m_summary.noise_share = m_noise.share;
+    m_summary.noise_scale = m_noise.level > 0 && m_reach > 1 ? m_reach : 0;
+    m_summary.roughness_level = m_noise.roughness_level;
   }
 
   Normal_smoothing smoothing(int pass, int f) const
@@ -240,7 +253,98 @@ private:
   }
 };
 
-// Constrained vertices stay where they are, to the bit. On an error, `points` are to be thrown away.
+// The part of a mesh that lies at some of its vertices, all of their triangles included.
+struct Mesh_part
+{
+  Indexed_triangles mesh;
+  std::vector<int> vertices; // in the whole mesh
+
+  Mesh_part(const Indexed_triangles& whole, std::vector<int> of_whole, std::vector<int>& place) : vertices(std::move(of_whole))
+  {
+    mesh.exponent = whole.exponent;
+    std::vector<int> triangles;
+    for(std::size_t i = 0; i < vertices.size(); ++i)
+    {
+      const int v = vertices[i];
+      place[v] = int(i);
+      mesh.points.push_back(whole.points[v]);
+      mesh.is_on_border.push_back(whole.is_on_border[v]);
+      for(const int* c = whole.corners.begin(v); c != whole.corners.end(v); ++c)
+        if(*c % 3 == 0)
+          triangles.push_back(*c / 3);
+    }
+    std::sort(triangles.begin(), triangles.end());
+    for(int f : triangles)
+      mesh.triangles.push_back({{place[whole.triangles[f][0]], place[whole.triangles[f][1]], place[whole.triangles[f][2]]}});
+    mesh.index_corners();
+  }
+};
+
+// Vertices by component; those of small components, which tell little of their noise, are one part.
+inline std::vector<std::vector<int> > parts_to_denoise(const Indexed_triangles& mesh)
+{
+  const Components components = connected_components(mesh);
+  std::vector<int> sizes(std::size_t(components.count), 0), part(std::size_t(components.count), -1);
+  for(int c : components.of_vertex)
+    ++sizes[c];
+  std::vector<std::vector<int> > parts;
+  int small = -1;
+  for(int v = 0; v < mesh.number_of_vertices(); ++v)
+  {
+    const int c = components.of_vertex[v];
+    const bool is_small = sizes[c] < denoising::least_component;
+    int& p = is_small ? small : part[c];
+    if(mesh.corners.size(v) == 0)
+      continue;
+    if(p < 0)
+    {
+      p = int(parts.size());
+      parts.emplace_back();
+    }
+    parts[p].push_back(v);
+  }
+  return parts;
+}
+
+inline void merge(const Denoising_summary& part, Denoising_summary& whole)
+{
+  whole.noise_level = (std::max)(whole.noise_level, part.noise_level);
+  whole.noise_share = (std::max)(whole.noise_share, part.noise_share);
+  whole.noise_scale = (std::max)(whole.noise_scale, part.noise_scale);
+  whole.roughness_level = (std::max)(whole.roughness_level, part.roughness_level);
+  whole.number_of_outliers += part.number_of_outliers;
+  if(part.number_of_iterations >= whole.number_of_iterations && part.end != Denoising_end::no_noise)
+    whole.end = part.end;
+  whole.number_of_iterations = (std::max)(whole.number_of_iterations, part.number_of_iterations);
+}
+
+inline Error_code denoise_parts(const Indexed_triangles& mesh, const std::vector<std::vector<int> >& parts,
+                                const std::vector<char>& is_constrained, const Denoising_options& options, bool parallel,
+                                Progress& progress, std::vector<Vec3>& points, Denoising_summary& summary)
+{
+  std::vector<int> place(mesh.points.size());
+  for(const std::vector<int>& vertices : parts)
+  {
+    Mesh_part part(mesh, vertices, place);
+    std::vector<char> constrained;
+    for(std::size_t i = 0; i < vertices.size(); ++i)
+    {
+      constrained.push_back(is_constrained[vertices[i]]);
+      part.mesh.points[i] = points[vertices[i]];
+    }
+    std::vector<Vec3> moved = part.mesh.points;
+    Denoising_summary of_part;
+    if(const Error_code code = Denoiser(part.mesh, constrained, options, parallel, moved, of_part)(progress, moved))
+      return code;
+    for(std::size_t i = 0; i < vertices.size(); ++i)
+      points[vertices[i]] = moved[i];
+    merge(of_part, summary);
+  }
+  return OK;
+}
+
+// Constrained vertices stay where they are, to the bit. Every component of the mesh has noise of its own. On an error, `points` are
+// to be thrown away; they may be those of the mesh.
 inline Error_code denoise_points(const Indexed_triangles& mesh, const std::vector<char>& is_constrained, const Denoising_options& options,
                                  bool parallel, Progress& progress, std::vector<Vec3>& points, Denoising_summary& summary)
 {
@@ -252,6 +356,9 @@ inline Error_code denoise_points(const Indexed_triangles& mesh, const std::vecto
   if(!progress.go_on(0))
     return ERROR_CANCELLED;
   Stage_scope stage(progress, Stage::SOLVE);
+  const std::vector<std::vector<int> > parts = parts_to_denoise(mesh);
+  if(parts.size() > 1)
+    return denoise_parts(mesh, parts, is_constrained, options, parallel, progress, points, summary);
   return Denoiser(mesh, is_constrained, options, parallel, points, summary)(progress, points);
 }
 

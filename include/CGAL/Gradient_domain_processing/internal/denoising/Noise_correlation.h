@@ -1,0 +1,125 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_NOISE_CORRELATION_H
+#define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_NOISE_CORRELATION_H
+
+#include <CGAL/Gradient_domain_processing/internal/denoising/Face_geometry.h>
+#include <CGAL/Gradient_domain_processing/internal/denoising/conjugate_gradients.h>
+#include <CGAL/Gradient_domain_processing/internal/denoising/constants.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Gradient_domain_processing {
+namespace internal {
+
+// What an implicit smoothing with the uniform graph Laplacian takes away from every vertex, along its normal.
+inline std::vector<double> fine_heights(const Lists& rings, const std::vector<Vec3>& points, const std::vector<Vec3>& normals, bool parallel)
+{
+  const std::size_t n = points.size();
+  const double weight = denoising::fine_smoothing;
+  std::vector<double> inverse_diagonal(n);
+  std::vector<Vec3> right(n, Vec3(0, 0, 0)), change(n, Vec3(0, 0, 0));
+  const auto difference = [&](const std::vector<Vec3>& p, int v) {
+    Vec3 sum(0, 0, 0);
+    for(const int* w = rings.begin(v); w != rings.end(v); ++w)
+      sum += p[v] - p[*w];
+    return sum;
+  };
+  parallel_for(parallel, n, [&](std::size_t v) {
+    right[v] = -weight * difference(points, int(v));
+    inverse_diagonal[v] = rings.size(int(v)) > 0 ? 1 / ((1 + weight) * rings.size(int(v))) : 0;
+  });
+  Conjugate_gradients<Vec3> solve(parallel);
+  solve([&](const std::vector<Vec3>& p, int v) { return Vec3(double(rings.size(v)) * p[v] + weight * difference(p, v)); },
+        inverse_diagonal, right, 1e-3, denoising::most_solver_steps, change);
+  std::vector<double> heights(n);
+  parallel_for(parallel, n, [&](std::size_t v) { heights[v] = -normals[v].dot(change[v]); });
+  return heights;
+}
+
+// The correlation of numbers on the vertices, clipped at 1 and 99 percent, at graph distances from 0 on, from a sample of them.
+inline std::array<double, 5> correlation_by_distance(const Indexed_triangles& mesh, const Lists& rings, std::vector<double> numbers)
+{
+  std::vector<double> sorted = numbers;
+  const std::size_t n = sorted.size();
+  const auto low = sorted.begin() + std::ptrdiff_t(n / 100), high = sorted.begin() + std::ptrdiff_t(n - 1 - n / 100);
+  std::nth_element(sorted.begin(), low, sorted.end());
+  const double least = *low;
+  std::nth_element(sorted.begin(), high, sorted.end());
+  const double most = *high;
+  for(double& x : numbers)
+    x = (std::max)(least, (std::min)(most, x));
+
+  std::array<double, 5> sums{{0, 0, 0, 0, 0}}, counts = sums;
+  std::vector<int> last_seen(n, -1), front, next;
+  const int stride = (std::max)(1, int(n) / denoising::correlation_sample);
+  for(int s = 0; s < int(n); s += stride)
+  {
+    if(mesh.is_on_border[s] || rings.size(s) == 0)
+      continue;
+    front.assign(1, s);
+    last_seen[s] = s;
+    for(std::size_t k = 0; k < sums.size(); ++k)
+    {
+      next.clear();
+      for(int v : front)
+      {
+        sums[k] += numbers[s] * numbers[v];
+        ++counts[k];
+        for(const int* w = rings.begin(v); w != rings.end(v); ++w)
+          if(last_seen[*w] != s)
+          {
+            last_seen[*w] = s;
+            next.push_back(*w);
+          }
+      }
+      front.swap(next);
+    }
+  }
+  for(std::size_t k = 0; k < sums.size(); ++k)
+    sums[k] /= (std::max)(1., counts[k]);
+  const double variance = sums[0];
+  for(double& s : sums)
+    s = variance > 0 ? s / variance : 1;
+  return sums;
+}
+
+// Shape decays slowly from distance to distance, white noise is at distance 0 alone. What stands at distance 1 above the geometric
+// extrapolation from 2 and 4 is correlated noise.
+inline double correlated_excess(const std::array<double, 5>& c)
+{
+  return c[1] - (c[2] > 0 && c[4] > 0 ? (std::min)(1., c[2] * std::sqrt(c[2] / c[4])) : (std::max)(0., c[2]));
+}
+
+// Whether there is noise that is correlated from vertex to vertex, all over the mesh: a few creases look alike.
+inline bool has_correlated_noise(const Indexed_triangles& mesh, const Dual_graph& dual, const Lists& rings, const std::vector<Vec3>& points,
+                                 const Face_geometry& faces, bool parallel)
+{
+  std::vector<double> angles;
+  dual.for_each_edge(mesh, [&](int f, int g, int, int) { angles.push_back((faces.normals[f] - faces.normals[g]).norm()); });
+  if(angles.empty())
+    return false;
+  const auto most = angles.begin() + std::ptrdiff_t(angles.size() * 4 / 5);
+  std::nth_element(angles.begin(), most, angles.end());
+  if(*most < denoising::least_rough_angle)
+    return false;
+  const std::vector<Vec3> normals = vertex_normals(mesh, faces.areas, faces.normals, parallel);
+  const double excess = correlated_excess(correlation_by_distance(mesh, rings, fine_heights(rings, points, normals, parallel)));
+  return excess > denoising::least_correlated_excess + 1 / std::sqrt(double(points.size()));
+}
+
+} // namespace internal
+} // namespace Gradient_domain_processing
+} // namespace CGAL
+
+#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_NOISE_CORRELATION_H
