@@ -105,7 +105,7 @@ void check_vertex_normals(const Case& c, Error_log& log)
 {
   const Mesh tm = read_mesh(c.mesh);
   auto solver = GDP::make_gradient_domain_solver(tm);
-  const auto found = solver.system().mesh.vertex_normals(false);
+  const auto found = solver.arrays().system.mesh.vertex_normals(false);
   std::vector<Vector> normals(found.size());
   for(std::size_t i = 0; i < found.size(); ++i)
     normals[solver.elements().vertices[i]] = Vector(found[i][0], found[i][1], found[i][2]);
