@@ -93,8 +93,6 @@ public:
   std::string text() const { return m_text + "\n" + m_indent + "}"; }
 };
 
-} // namespace
-
 // The weights that the operation really used, with their names; a property in quotes where one gave them.
 std::vector<std::pair<std::string, std::string> > used_weights(const Options& o)
 {

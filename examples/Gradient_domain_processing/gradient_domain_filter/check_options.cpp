@@ -93,7 +93,7 @@ void check_operation(const po::variables_map& given, const Options& o)
   }
   if(o.operation == Operation::DENOISE)
     forbid(given, {"gradient-weight", "gradient-scale", "metric", "curvature-weight", "value-weight-property", "gradient-weight-property",
-                   "gradient-scale-property", "non-shrinking"},
+                   "gradient-scale-property", "non-shrinking", "restore-volume", "solver"},
            "--operation denoise, which chooses from the data");
   if(o.operation == Operation::ENHANCE_DETAILS)
     forbid(given, {"non-shrinking"}, "--operation enhance-details");

@@ -5,11 +5,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "filter_mesh.h"
+#include "signal.h"
 
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/memory_estimate.h>
 
 CGAL::Gradient_domain_processing::Error_code filter_mesh(const Options& options, Mesh_file& file, Stage_clock& clock, Filter_facts& facts)
 {
+  if(options.operation == Operation::DENOISE)
+    return denoise_mesh(options, file, clock, facts);
+  if(options.signal == Signal_kind::PROPERTY && property_signal(options, file).is_at_faces)
+    return filter_face_properties(options, file, clock, facts);
   switch(options.solver)
   {
 #ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD

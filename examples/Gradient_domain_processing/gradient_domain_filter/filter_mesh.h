@@ -28,9 +28,11 @@ struct Filter_facts
 // Does what the options ask for to the points or the columns of the file. Throws Failure if a property is missing.
 CGAL::Gradient_domain_processing::Error_code filter_mesh(const Options&, Mesh_file&, Stage_clock&, Filter_facts&);
 
-// The same with one linear solver each: every solver is one compilation of the whole package.
+// Parts of it. With a linear solver each, for every one is a compilation of the whole package; and those that need none.
 CGAL::Gradient_domain_processing::Error_code filter_with_default(const Options&, Mesh_file&, Stage_clock&, Filter_facts&);
 CGAL::Gradient_domain_processing::Error_code filter_with_eigen(const Options&, Mesh_file&, Stage_clock&, Filter_facts&);
 CGAL::Gradient_domain_processing::Error_code filter_with_cg(const Options&, Mesh_file&, Stage_clock&, Filter_facts&);
+CGAL::Gradient_domain_processing::Error_code denoise_mesh(const Options&, Mesh_file&, Stage_clock&, Filter_facts&);
+CGAL::Gradient_domain_processing::Error_code filter_face_properties(const Options&, Mesh_file&, Stage_clock&, Filter_facts&);
 
 #endif // GRADIENT_DOMAIN_FILTER_FILTER_MESH_H

@@ -78,7 +78,18 @@ Property_signal property_signal(const Options& options, Mesh_file& file)
         throw Failure(options.input_name(), "the property '" + name + "' of " + (signal.is_at_faces ? "face " : "vertex ") + std::to_string(i)
                                             + (std::isnan(values[i]) ? " is NaN (--missing-values fills such in)" : " is infinite"));
   }
+  for(const Column* column : signal.columns)
+    signal.values.push_back(column->values);
   return signal;
+}
+
+void Property_signal::set()
+{
+  for(std::size_t i = 0; i < columns.size(); ++i)
+  {
+    columns[i]->values = std::move(values[i]);
+    columns[i]->is_changed = true;
+  }
 }
 
 std::vector<Three_channels> normal_signal(const Options& options, const Mesh_file& file)

@@ -22,6 +22,10 @@ struct Property_signal
 {
   bool is_at_faces = false;
   std::vector<Column*> columns;
+  std::vector<std::vector<double> > values; // to work on
+
+  // The values become those of the columns.
+  void set();
 };
 Property_signal property_signal(const Options& options, Mesh_file& file);
 
