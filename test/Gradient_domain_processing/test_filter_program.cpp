@@ -492,7 +492,7 @@ void test_properties(const Mesh& mesh)
   GDP_CHECK(clamped > 0);
 
   // constant normals stay as they are, without being normalized
-  check_succeeds("properties.ply out.ply --signal normal");
+  check_succeeds("properties.ply out.ply --signal normal", {"nothing has changed"});
   const Mesh normals = read_ply("out.ply");
   const auto normal = existing_map<Mesh::Vertex_index, Kernel::Vector_3>(normals, "v:normal");
   for(auto v : mesh.vertices())
@@ -609,6 +609,16 @@ private:
       return m_at += 4, true;
     if(m_at < m_text.size() && m_text[m_at] == '"')
       return string();
+    if(take('['))
+    {
+      if(take(']'))
+        return true;
+      do
+        if(!value())
+          return false;
+      while(take(','));
+      return take(']');
+    }
     if(take('{'))
     {
       do
@@ -653,6 +663,7 @@ void test_denoise(const Mesh& mesh)
   check_succeeds("noisy.off out.ply --operation denoise");
   GDP_CHECK(largest_difference(read_ply("out.ply"), expected) < 1e-9);
   GDP_CHECK(largest_difference(expected, noisy) > 1e-3);
+  check_succeeds("mesh.off out.ply --operation denoise --noise-level 0", {"nothing has changed: no noise was found"});
   check_fails("noisy.off out.ply --passes 3", 2, "denoise");
   check_fails("noisy.off out.ply --operation denoise --passes 0", 2, "passes");
   check_fails("noisy.off out.ply --operation denoise --gradient-weight 1", 2, "contradicts");
@@ -667,10 +678,17 @@ void test_report(const Mesh& mesh)
   GDP_CHECK(Json(report).is_valid());
   for(const char* key : {"vertices", "edges", "faces", "area", "solver", "matrix_non_zeros", "factor_non_zeros", "max_displacement",
                          "mean_displacement", "seconds", "read", "validate", "curvature", "metric", "analyze", "assemble", "factor", "solve",
-                         "write", "total", "peak_memory_bytes"})
+                         "write", "total", "peak_memory_bytes", "gradient_weight", "curvature_weight", "components", "remarks", "not_kept"})
     GDP_CHECK(report.find("\"" + std::string(key) + "\": ") != std::string::npos);
   GDP_CHECK(report.find("\"vertices\": " + std::to_string(mesh.number_of_vertices()) + ",") != std::string::npos);
   GDP_CHECK(report.find("\"faces\": " + std::to_string(mesh.number_of_faces()) + ",") != std::string::npos);
+  // the weights that an operation does not use are not there
+  check_succeeds("mesh.off out.ply --report report.json --operation enhance-details");
+  GDP_CHECK(contents(folder / "report.json").find("\"sharpening_weight\": ") != std::string::npos);
+  GDP_CHECK(run("mesh.off out.ply --report report.json --operation denoise --passes 1").code == 0);
+  const std::string denoised = contents(folder / "report.json");
+  GDP_CHECK(Json(denoised).is_valid() && denoised.find("\"noise_level\": ") != std::string::npos);
+  GDP_CHECK(denoised.find("\"passes\": 1,") != std::string::npos && denoised.find("\"gradient_weight\"") == std::string::npos);
   fs::remove(folder / "report.json");
   fs::remove(folder / "a\"b.ply");
   const Outcome outcome = run("mesh.off out.ply --verbose");

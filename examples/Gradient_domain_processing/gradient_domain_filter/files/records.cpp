@@ -36,12 +36,12 @@ public:
       const std::string_view word = words.word();
       ++place;
       double before;
-      const double x = in_range(number.value(i), number.type);
-      if(Text_scanner::parse(word, before) && is_same(before, x))
+      const double value = number.value(i), x = in_range(value, number.type);
+      if(Text_scanner::parse(word, before) && (is_same(before, value) || is_same(before, x)))
         continue;
       const std::size_t at = std::size_t(word.data() - m_text.data());
       m_result.append(m_text, m_copied, at - m_copied);
-      append_number(m_result, x, number.type);
+      append_number(m_result, x, fits(x, number.type) ? number.type : Number_type::DOUBLE); // text may hold more than its type
       if(number.is_spelled_real && x == std::floor(x))
         m_result += ".0";
       m_copied = at + word.size();
