@@ -7,19 +7,22 @@
 // Filters the positions, normals or colors of a mesh file: the package on the command line.
 
 #include "gradient_domain_filter/Failure.h"
-#include "gradient_domain_filter/Mesh_file.h"
 #include "gradient_domain_filter/Options.h"
 #include "gradient_domain_filter/Output_file.h"
 #include "gradient_domain_filter/Report.h"
 #include "gradient_domain_filter/Stage_clock.h"
+#include "gradient_domain_filter/files/Mesh_file.h"
 #include "gradient_domain_filter/filter_mesh.h"
+#include "gradient_domain_filter/normals.h"
+#include "gradient_domain_filter/signal.h"
 
-#include <cmath>
-#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <memory>
 #include <new>
+#include <string>
+#include <utility>
+#include <vector>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -44,39 +47,59 @@ bool is_terminal()
 #endif
 }
 
-// The signal as columns, to see how far it moved.
-std::vector<std::vector<double> > signal_columns(const Options& options, const Mesh_file& file)
+// One line on the standard error, whatever is on the terminal.
+void say(Stage_clock& clock, const std::string& sentence)
 {
-  std::vector<std::vector<double> > columns;
-  if(options.moves_vertices())
-    for(int i = 0; i < 3; ++i)
-    {
-      columns.emplace_back();
-      columns.back().reserve(file.mesh.number_of_vertices());
-      for(const Point& p : file.mesh.points())
-        columns.back().push_back(p[i]);
-    }
-  else
-    for(const char* name : {"nx", "ny", "nz", "red", "green", "blue", "alpha"})
-      if((options.signal == Signal_kind::NORMAL) == (name[0] == 'n') && options.signal != Signal_kind::CURVATURE)
-        if(const Column* column = file.vertex_columns.find(name))
-          columns.push_back(column->values);
-  return columns;
+  clock.clear();
+  std::cerr << "gradient_domain_filter: " << sentence << std::endl;
 }
 
-void measure_change(const std::vector<std::vector<double> >& before, const std::vector<std::vector<double> >& after, Report& report)
+Mesh_file read(const Options& options)
 {
-  if(before.empty() || before.size() != after.size())
-    return;
-  const std::size_t n = before[0].size();
-  for(std::size_t v = 0; v < n; ++v)
-  {
-    double change = 0;
-    for(std::size_t c = 0; c < before.size(); ++c)
-      change = std::hypot(change, after[c][v] - before[c][v]);
-    report.max_displacement = (std::max)(report.max_displacement, change);
-    report.mean_displacement += change / double(n);
-  }
+  std::string text = read_bytes(options.input);
+  const File_format format = options.input_format ? *options.input_format : sniffed_format(options.input_name(), text);
+  return parse_mesh_file(options.input_name(), format, std::move(text));
+}
+
+// What is known without the filter.
+std::string why_unchanged(const Options& o, const Report& report)
+{
+  if(!report.facts.why_unchanged.empty())
+    return report.facts.why_unchanged;
+  if(o.operation != Operation::DENOISE && o.gradient_weight == 0 && o.gradient_weight_property.empty())
+    return "the gradient weight is 0";
+  if(o.operation == Operation::FILTER && o.gradient_scale == 1 && o.gradient_scale_property.empty())
+    return "the gradient scale is 1";
+  if(o.max_displacement && *o.max_displacement == 0)
+    return "the largest displacement is 0";
+  if(!o.constrained_property.empty())
+    return "all vertices are constrained, or in places that the filter leaves as they are";
+  return "the filter leaves the signal as it is";
+}
+
+// Filters, and lets the normals of the file follow.
+void filter(const Options& options, const Output_form& form, Mesh_file& file, Stage_clock& clock, Report& report)
+{
+  const std::vector<std::vector<double> > before = signal_values(options, file);
+  const std::vector<Point> points = file.points;
+  const GDP::Error_code code = filter_mesh(options, file, clock, report.facts);
+  if(code != GDP::ok)
+    throw Failure(options.input_name(), (clock.invalid().empty() ? "" : clock.invalid() + ": ") + GDP::get_error_message(code));
+  report.measure(before, signal_values(options, file));
+  if(report.changed_values == 0 && options.signal != Signal_kind::CURVATURE)
+    report.why_unchanged = why_unchanged(options, report);
+  if(options.moves_vertices() && !options.keeps_normals)
+    report.updated_normals = update_normals(points, file);
+  report.not_kept = not_kept(file, form);
+  report.notices = clock.notices();
+}
+
+std::string joined(const std::vector<std::string>& words)
+{
+  std::string text;
+  for(const std::string& word : words)
+    text += (text.empty() ? "" : ", ") + word;
+  return text;
 }
 
 void run(const Options& options)
@@ -94,30 +117,34 @@ void run(const Options& options)
 
   Mesh_file file;
   Report report;
+  Output_form form{File_format::PLY, options.encoding, options.precision};
   {
     Timed_stage stage(clock, "read");
-    file = read_mesh_file(options.input, options.read);
-    report.count(file.mesh);
+    file = read(options);
+    form.format = options.output_format.value_or(file.format);
+    check_output_form(options, form);
+    check_form(file, form, options.output_name());
+    if(options.is_verbose || report_file)
+      report.survey = survey(file.points, file.polygons);
   }
-  const bool is_measured = options.is_verbose || report_file;
-  const auto before = is_measured ? signal_columns(options, file) : std::vector<std::vector<double> >();
-  const GDP::Error_code code = filter_mesh(options, file, clock, report.solver);
-  if(code != GDP::OK)
-    throw Failure(options.input, (clock.invalid().empty() ? "" : clock.invalid() + ": ") + GDP::get_error_message(code));
-  if(is_measured)
-    measure_change(before, signal_columns(options, file), report);
+  filter(options, form, file, clock, report);
   {
     Timed_stage stage(clock, "write");
-    output.write(mesh_file_contents(file, options.output_format, options.encoding));
+    std::string contents = mesh_file_contents(file, form);
+    output.write(is_compressed_name(options.output) ? packed(contents) : std::move(contents));
   }
   if(report_file)
     report_file->write(report.json(options, clock));
   output.commit();
   if(report_file)
     report_file->commit();
+  if(!report.why_unchanged.empty())
+    say(clock, options.output_name() + ": nothing has changed: " + report.why_unchanged);
+  if(!report.not_kept.empty())
+    say(clock, options.output_name() + ": not kept: " + joined(report.not_kept));
   clock.clear();
   if(options.is_verbose)
-    std::cout << report.summary(options, clock, file.notes) << std::flush;
+    (options.output == "-" || options.report == "-" ? std::cerr : std::cout) << report.summary(options, clock) << std::flush;
 }
 
 } // namespace
@@ -145,11 +172,11 @@ int main(int argc, char* argv[])
   }
   catch(const std::bad_alloc&)
   {
-    std::cerr << "gradient_domain_filter: " << options.input << ": out of memory" << std::endl;
+    std::cerr << "gradient_domain_filter: " << options.input_name() << ": out of memory" << std::endl;
   }
   catch(const std::exception& error)
   {
-    std::cerr << "gradient_domain_filter: " << options.input << ": " << error.what() << std::endl;
+    std::cerr << "gradient_domain_filter: " << options.input_name() << ": " << error.what() << std::endl;
   }
   return 1;
 }

@@ -7,46 +7,57 @@
 #ifndef GRADIENT_DOMAIN_FILTER_OPTIONS_H
 #define GRADIENT_DOMAIN_FILTER_OPTIONS_H
 
-#include "Mesh_file.h"
+#include "files/Mesh_file.h"
 
 #include <CGAL/Gradient_domain_processing/enum.h>
 
+#include <array>
+#include <optional>
 #include <string>
+#include <vector>
 
 enum class Operation { FILTER, ENHANCE_DETAILS, DENOISE };
-enum class Signal_kind { POSITION, NORMAL, COLOR, NORMAL_TO_POSITION, CURVATURE };
+enum class Signal_kind { POSITION, NORMAL, COLOR, NORMAL_TO_POSITION, CURVATURE, PROPERTY };
 enum class Solver_kind { AUTO, EIGEN, CHOLMOD, CG };
 
 // The command line.
 struct Options
 {
   std::string input, output, report;
-  File_format output_format = File_format::PLY;
+  std::optional<File_format> input_format, output_format; // else by the name, or by what is in it
   Encoding encoding = Encoding::DEFAULT;
-  Read_options read;
+  Precision precision = Precision::DEFAULT;
 
   Operation operation = Operation::FILTER;
   Signal_kind signal = Signal_kind::POSITION;
+  std::vector<std::string> signal_properties;
   double value_weight = 1, gradient_weight = 1e-4, gradient_scale = 0;
   std::string value_weight_property, gradient_weight_property, gradient_scale_property;
   CGAL::Gradient_domain_processing::Curvature_metric_kind metric =
     CGAL::Gradient_domain_processing::Curvature_metric_kind::EMBEDDING;
   CGAL::Gradient_domain_processing::Curvature_estimator curvature = CGAL::Gradient_domain_processing::Curvature_estimator::JETS;
   double curvature_weight = 0.02, presmoothing_weight = 1e-4, normal_projection_weight = 100;
-  int jet_degree = 2, iterations = 1, passes = 0, threads = 0;
+  CGAL::Gradient_domain_processing::Normal_fit_kind normal_fit = CGAL::Gradient_domain_processing::Normal_fit_kind::FACES;
+  int jet_degree = 2, iterations = 1, threads = 0;
+  int non_shrinking = 1; // how often the filter is applied to what it has missed
   double sharpening_weight = 1e-5, sharpening_scale = 4;
+  std::optional<int> passes;
+  std::optional<double> noise_level, noise_scale, denoising_value_weight, max_displacement;
   CGAL::Gradient_domain_processing::Border_condition border = CGAL::Gradient_domain_processing::Border_condition::FREE;
-  bool restores_volume = false, area_normalization = true;
+  bool restores_volume = false, area_normalization = true, has_missing_values = false, keeps_normals = false;
+  std::array<bool, 3> moves_along = {{true, true, true}};
+  std::optional<double> weld_tolerance = 0.; // none: seams stay open
   std::string constrained_property, region_property;
 
   Solver_kind solver = Solver_kind::AUTO;
   bool is_verbose = false, is_quiet = false;
 
-  bool has_masks() const
-  {
-    return !value_weight_property.empty() || !gradient_weight_property.empty() || !gradient_scale_property.empty();
-  }
   bool moves_vertices() const { return signal == Signal_kind::POSITION || signal == Signal_kind::NORMAL_TO_POSITION; }
+  bool has_metric() const { return metric != CGAL::Gradient_domain_processing::Curvature_metric_kind::EMBEDDING; }
+
+  // For messages.
+  std::string input_name() const { return input == "-" ? "standard input" : input; }
+  std::string output_name() const { return output == "-" ? "standard output" : output; }
 
   // The options as words, for the summary and the report.
   std::string operation_name, signal_name, metric_name;
@@ -54,5 +65,8 @@ struct Options
 
 // Throws Usage_error. False if there is nothing to do, as help or version were printed.
 bool parse_command_line(int argc, char* argv[], Options& options);
+
+// Whether the output can hold what is asked for; it may be known after reading only. Throws Usage_error.
+void check_output_form(const Options& options, const Output_form& form);
 
 #endif // GRADIENT_DOMAIN_FILTER_OPTIONS_H

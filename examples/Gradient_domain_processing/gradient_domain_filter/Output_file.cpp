@@ -56,8 +56,13 @@ void set_unfinished(const fs::path&) {}
 
 } // namespace
 
-Output_file::Output_file(const std::string& name) : m_name(name), m_path(name)
+Output_file::Output_file(const std::string& name) : m_name(name), m_path(name), m_is_standard_output(name == "-")
 {
+  if(m_is_standard_output)
+  {
+    m_name = "standard output";
+    return;
+  }
   std::error_code error;
   const auto status = fs::status(m_path, error);
   if(fs::is_directory(status))
@@ -77,8 +82,13 @@ Output_file::Output_file(const std::string& name) : m_name(name), m_path(name)
     throw Failure(m_name, "no permission to write into " + folder.string());
 }
 
-void Output_file::write(const std::string& contents)
+void Output_file::write(std::string contents)
 {
+  if(m_is_standard_output)
+  {
+    m_contents = std::move(contents);
+    return;
+  }
   std::random_device random;
   m_temporary = m_path;
   m_temporary.replace_filename(".gradient_domain_filter." + std::to_string(random()) + ".tmp");
@@ -99,6 +109,12 @@ void Output_file::write(const std::string& contents)
 
 void Output_file::commit()
 {
+  if(m_is_standard_output)
+  {
+    if(std::fwrite(m_contents.data(), 1, m_contents.size(), stdout) != m_contents.size() || std::fflush(stdout) != 0)
+      throw Failure(m_name, std::string("cannot be written: ") + std::strerror(errno));
+    return;
+  }
   std::error_code error;
   const auto before = fs::status(m_path, error);
   if(fs::exists(before))

@@ -10,11 +10,14 @@
 #include <filesystem>
 #include <string>
 
-// A file that is there completely or not at all: written under another name in the same folder, then renamed.
+// A file that is there completely or not at all: written under another name in the same folder, then renamed. "-" is the
+// standard output, written at the end.
 class Output_file
 {
   std::string m_name; // as the user said it
   std::filesystem::path m_path, m_temporary;
+  bool m_is_standard_output;
+  std::string m_contents; // for the standard output
 
 public:
   // Throws Failure if the file surely cannot be written, before any work is done for it.
@@ -24,7 +27,7 @@ public:
   Output_file& operator=(const Output_file&) = delete;
 
   // Both throw Failure.
-  void write(const std::string& contents);
+  void write(std::string contents);
   void commit();
 
 private:

@@ -6,8 +6,11 @@
 
 #include "Report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <utility>
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <sys/resource.h>
@@ -90,20 +93,86 @@ public:
   std::string text() const { return m_text + "\n" + m_indent + "}"; }
 };
 
+// The weights that the operation really used, with their names; a property in quotes where one gave them.
+std::vector<std::pair<std::string, std::string> > used_weights(const Options& o)
+{
+  std::vector<std::pair<std::string, std::string> > used;
+  const auto add = [&](const char* name, double x, const std::string& property = std::string()) {
+    used.emplace_back(name, property.empty() ? json_number(x) : json_string(property));
+  };
+  if(o.signal == Signal_kind::CURVATURE)
+    return used;
+  if(o.operation == Operation::DENOISE)
+  {
+    add("value_weight", o.denoising_value_weight.value_or(0.05));
+    return used;
+  }
+  add("value_weight", o.value_weight, o.value_weight_property);
+  add("gradient_weight", o.gradient_weight, o.gradient_weight_property);
+  add("gradient_scale", o.gradient_scale, o.gradient_scale_property);
+  if(o.has_metric())
+    add("curvature_weight", o.curvature_weight);
+  if(o.operation == Operation::ENHANCE_DETAILS)
+  {
+    add("sharpening_weight", o.sharpening_weight);
+    add("sharpening_scale", o.sharpening_scale);
+  }
+  else if(o.signal == Signal_kind::NORMAL_TO_POSITION)
+    add("normal_projection_weight", o.normal_projection_weight);
+  else
+    add("iterations", o.iterations);
+  if(o.non_shrinking > 1)
+    add("non_shrinking", o.non_shrinking);
+  return used;
+}
+
+std::string json_strings(const std::vector<std::string>& strings)
+{
+  std::string text;
+  for(const std::string& s : strings)
+    text += (text.empty() ? "" : ", ") + json_string(s);
+  return "[" + text + "]";
+}
+
+std::vector<std::string> all_remarks(const Report& report, const Options& o)
+{
+  std::vector<std::string> remarks = report.notices;
+  if(report.survey)
+    for(const std::string& remark : report.survey->remarks(o.weld_tolerance.has_value()))
+      remarks.push_back(remark);
+  return remarks;
+}
+
+void add_survey(const Survey& survey, Json_object& all)
+{
+  all.add("vertices", std::to_string(survey.vertices))
+    .add("edges", std::to_string(survey.edges))
+    .add("faces", std::to_string(survey.faces))
+    .add("border_edges", std::to_string(survey.border_edges))
+    .add("crowded_edges", std::to_string(survey.crowded_edges))
+    .add("components", std::to_string(survey.components))
+    .add("area", json_number(survey.area));
+}
+
 } // namespace
 
-void Report::count(const Mesh& mesh)
+void Report::measure(const std::vector<std::vector<double> >& before, const std::vector<std::vector<double> >& after)
 {
-  vertices = mesh.number_of_vertices();
-  edges = mesh.number_of_edges();
-  faces = mesh.number_of_faces();
-  for(Mesh::Edge_index e : mesh.edges())
-    border_edges += mesh.is_border(e);
-  for(Mesh::Face_index f : mesh.faces())
+  const std::size_t n = after.empty() ? 0 : after[0].size();
+  const bool is_new = before.size() != after.size();
+  for(std::size_t i = 0; i < n; ++i)
   {
-    const auto h = mesh.halfedge(f);
-    const Point &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h)), &c = mesh.point(mesh.target(mesh.next(h)));
-    area += std::sqrt(CGAL::cross_product(b - a, c - a).squared_length()) / 2;
+    double change = 0;
+    bool is_changed = is_new;
+    for(std::size_t c = 0; c < after.size() && !is_new; ++c)
+    {
+      is_changed = is_changed || !(before[c][i] == after[c][i] || (std::isnan(before[c][i]) && std::isnan(after[c][i])));
+      if(const double x = after[c][i] - before[c][i]; std::isfinite(x))
+        change = std::hypot(change, x);
+    }
+    changed_values += is_changed;
+    max_displacement = (std::max)(max_displacement, change);
+    mean_displacement += change / double(n);
   }
 }
 
@@ -116,48 +185,60 @@ std::string Report::json(const Options& o, const Stage_clock& clock) const
   all.add("input", json_string(o.input))
     .add("output", json_string(o.output))
     .add("operation", json_string(o.operation_name))
-    .add("signal", json_string(o.signal_name))
-    .add("metric", json_string(o.metric_name))
-    .add("value_weight", json_number(o.value_weight))
-    .add("gradient_weight", json_number(o.gradient_weight))
-    .add("gradient_scale", json_number(o.gradient_scale))
-    .add("curvature_weight", json_number(o.curvature_weight))
-    .add("iterations", std::to_string(o.iterations))
-    .add("vertices", std::to_string(vertices))
-    .add("edges", std::to_string(edges))
-    .add("faces", std::to_string(faces))
-    .add("border_edges", std::to_string(border_edges))
-    .add("area", json_number(area))
-    .add("solver", json_string(solver.name))
-    .add("matrix_non_zeros", known(solver.matrix_non_zeros))
-    .add("factor_non_zeros", known(solver.factor_non_zeros))
-    .add("solver_iterations", known(solver.iterations))
+    .add("signal", json_string(o.signal_name));
+  if(o.operation != Operation::DENOISE)
+    all.add("metric", json_string(o.metric_name));
+  for(const auto& weight : used_weights(o))
+    all.add(weight.first, weight.second);
+  for(const auto& fact : facts.found)
+    all.add(fact.first, json_number(fact.second));
+  if(survey)
+    add_survey(*survey, all);
+  all.add("solver", json_string(facts.solver))
+    .add("matrix_non_zeros", known(facts.matrix_non_zeros))
+    .add("factor_non_zeros", known(facts.factor_non_zeros))
+    .add("solver_iterations", known(facts.iterations))
     .add("max_displacement", json_number(max_displacement))
     .add("mean_displacement", json_number(mean_displacement))
+    .add("changed", std::to_string(changed_values))
+    .add("why_unchanged", why_unchanged.empty() ? "null" : json_string(why_unchanged))
+    .add("updated_normals", std::to_string(updated_normals))
+    .add("remarks", json_strings(all_remarks(*this, o)))
+    .add("not_kept", json_strings(not_kept))
     .add("seconds", seconds.text())
     .add("peak_memory_bytes", known(peak_memory()));
   return all.text() + "\n";
 }
 
-std::string Report::summary(const Options& o, const Stage_clock& clock, const std::vector<std::string>& notes) const
+std::string Report::summary(const Options& o, const Stage_clock& clock) const
 {
-  std::string text = "read " + o.input + ": " + std::to_string(vertices) + " vertices, " + std::to_string(faces) + " faces, "
-                     + (border_edges == 0 ? std::string("closed") : std::to_string(border_edges) + " border edges") + ", area "
-                     + number(area, "%.6g") + "\n";
-  for(const std::string& note : notes)
-    text += "  " + note + "\n";
+  std::string text = "read " + o.input_name();
+  if(survey)
+    text += ": " + std::to_string(survey->vertices) + " vertices, " + std::to_string(survey->faces) + " faces, "
+            + (survey->border_edges == 0 ? std::string("closed") : std::to_string(survey->border_edges) + " border edges") + ", area "
+            + number(survey->area, "%.6g");
+  text += "\n";
+  for(const std::string& remark : all_remarks(*this, o))
+    text += "  " + remark + "\n";
   if(o.signal == Signal_kind::CURVATURE)
     text += "curvature estimated\n";
   else
   {
-    const auto weight = [](double constant, const std::string& property) {
-      return property.empty() ? number(constant, "%g") : "from '" + property + "'";
-    };
-    text += o.operation_name + " " + o.signal_name + ": value weight " + weight(o.value_weight, o.value_weight_property)
-            + ", gradient weight " + weight(o.gradient_weight, o.gradient_weight_property) + ", gradient scale "
-            + weight(o.gradient_scale, o.gradient_scale_property) + ", metric " + o.metric_name
-            + (o.metric_name == "embedding" ? "" : " (curvature weight " + number(o.curvature_weight, "%g") + ")") + ", solver "
-            + solver.name + "\n";
+    text += o.operation_name + " " + o.signal_name + ":";
+    for(auto weight : used_weights(o))
+    {
+      std::replace(weight.first.begin(), weight.first.end(), '_', ' ');
+      char* end = nullptr;
+      const double x = std::strtod(weight.second.c_str(), &end);
+      text += " " + weight.first + " " + (*end == 0 ? number(x, "%g") : "from " + weight.second) + ",";
+    }
+    for(const auto& fact : facts.found)
+    {
+      std::string name = fact.first;
+      std::replace(name.begin(), name.end(), '_', ' ');
+      text += " " + name + " " + number(fact.second, "%.4g") + ",";
+    }
+    text += (o.operation == Operation::DENOISE ? "" : " metric " + o.metric_name + ",") + std::string(" solver ") + facts.solver + "\n";
     text += o.moves_vertices() ? "vertices moved by " : "values changed by ";
     text += number(mean_displacement, "%.4g") + " on average, " + number(max_displacement, "%.4g") + " at most\n";
   }
@@ -165,5 +246,5 @@ std::string Report::summary(const Options& o, const Stage_clock& clock, const st
   for(const auto& stage : clock.seconds())
     if(stage.second >= 0.0005)
       text += " " + stage.first + " " + number(stage.second, "%.3f") + ",";
-  return text + " total " + number(clock.total(), "%.3f") + "\nwrote " + o.output + "\n";
+  return text + " total " + number(clock.total(), "%.3f") + "\nwrote " + o.output_name() + "\n";
 }

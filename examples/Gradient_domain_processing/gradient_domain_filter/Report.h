@@ -7,25 +7,31 @@
 #ifndef GRADIENT_DOMAIN_FILTER_REPORT_H
 #define GRADIENT_DOMAIN_FILTER_REPORT_H
 
-#include "Mesh_file.h"
 #include "Options.h"
 #include "Stage_clock.h"
+#include "Survey.h"
 #include "filter_mesh.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 // What was done, for people and for programs.
 struct Report
 {
-  std::size_t vertices = 0, edges = 0, faces = 0, border_edges = 0;
-  double area = 0;
+  std::optional<Survey> survey;
+  std::size_t changed_values = 0;                     // of the signal: vertices, normals or faces
   double max_displacement = 0, mean_displacement = 0; // of the signal, in its own units
-  Solver_facts solver;
+  std::string why_unchanged;                          // empty if anything changed
+  std::vector<std::string> not_kept, notices;
+  std::size_t updated_normals = 0;
+  Filter_facts facts;
 
-  void count(const Mesh& mesh);
+  // How far the signal moved, by its columns.
+  void measure(const std::vector<std::vector<double> >& before, const std::vector<std::vector<double> >& after);
+
   std::string json(const Options& options, const Stage_clock& clock) const;
-  std::string summary(const Options& options, const Stage_clock& clock, const std::vector<std::string>& notes) const;
+  std::string summary(const Options& options, const Stage_clock& clock) const;
 };
 
 #endif // GRADIENT_DOMAIN_FILTER_REPORT_H

@@ -27,6 +27,7 @@ class Stage_clock
   Clock::time_point m_start = Clock::now(), m_last = m_start;
   int m_shown_percent = -1;
   std::string m_invalid;
+  std::vector<std::string> m_notices;
 
 public:
   explicit Stage_clock(bool is_shown) : m_is_shown(is_shown)
@@ -71,6 +72,9 @@ public:
   void invalid_vertex(CGAL::Gradient_domain_processing::Error_code, Vertex v) { m_invalid = "vertex " + std::to_string(std::size_t(v)); }
   template <class Face>
   void invalid_face(CGAL::Gradient_domain_processing::Error_code, Face f) { m_invalid = "face " + std::to_string(std::size_t(f)); }
+
+  void notice(const std::string& sentence) { m_notices.push_back(sentence); }
+  const std::vector<std::string>& notices() const { return m_notices; }
 
   // What the error is about; empty if it is about no vertex or face.
   const std::string& invalid() const { return m_invalid; }

@@ -7,25 +7,32 @@
 #ifndef GRADIENT_DOMAIN_FILTER_FILTER_MESH_H
 #define GRADIENT_DOMAIN_FILTER_FILTER_MESH_H
 
-#include "Mesh_file.h"
 #include "Options.h"
 #include "Stage_clock.h"
 
 #include <CGAL/Gradient_domain_processing/Error_code.h>
 
-// What a linear solver tells of itself; negative where it does not.
-struct Solver_facts
+#include <string>
+#include <utility>
+#include <vector>
+
+// What a filter tells of itself; negative where it does not.
+struct Filter_facts
 {
-  std::string name;
+  std::string solver;
   double matrix_non_zeros = -1, factor_non_zeros = -1, iterations = -1;
+  std::vector<std::pair<std::string, double> > found; // that the filter chose from the data
+  std::string why_unchanged;                          // that only the filter knows
 };
 
-// Does what the options ask for to the mesh or its columns. Throws Failure if a property is missing.
-CGAL::Gradient_domain_processing::Error_code filter_mesh(const Options&, Mesh_file&, Stage_clock&, Solver_facts&);
+// Does what the options ask for to the points or the columns of the file. Throws Failure if a property is missing.
+CGAL::Gradient_domain_processing::Error_code filter_mesh(const Options&, Mesh_file&, Stage_clock&, Filter_facts&);
 
-// The same with one linear solver each: every solver is one compilation of the whole package.
-CGAL::Gradient_domain_processing::Error_code filter_with_default(const Options&, Mesh_file&, Stage_clock&, Solver_facts&);
-CGAL::Gradient_domain_processing::Error_code filter_with_eigen(const Options&, Mesh_file&, Stage_clock&, Solver_facts&);
-CGAL::Gradient_domain_processing::Error_code filter_with_cg(const Options&, Mesh_file&, Stage_clock&, Solver_facts&);
+// Parts of it. With a linear solver each, for every one is a compilation of the whole package; and those that need none.
+CGAL::Gradient_domain_processing::Error_code filter_with_default(const Options&, Mesh_file&, Stage_clock&, Filter_facts&);
+CGAL::Gradient_domain_processing::Error_code filter_with_eigen(const Options&, Mesh_file&, Stage_clock&, Filter_facts&);
+CGAL::Gradient_domain_processing::Error_code filter_with_cg(const Options&, Mesh_file&, Stage_clock&, Filter_facts&);
+CGAL::Gradient_domain_processing::Error_code denoise_mesh(const Options&, Mesh_file&, Stage_clock&, Filter_facts&);
+CGAL::Gradient_domain_processing::Error_code filter_face_properties(const Options&, Mesh_file&, Stage_clock&, Filter_facts&);
 
 #endif // GRADIENT_DOMAIN_FILTER_FILTER_MESH_H

@@ -12,12 +12,12 @@ using CGAL::Gradient_domain_processing::Error_code;
 
 typedef CGAL::Gradient_domain_processing::Conjugate_gradient_solver_traits<> Conjugate_gradients;
 
-Error_code filter_with_cg(const Options& options, Mesh_file& file, Stage_clock& clock, Solver_facts& facts)
+Error_code filter_with_cg(const Options& options, Mesh_file& file, Stage_clock& clock, Filter_facts& facts)
 {
-  filter_mesh_impl::Filter<Conjugate_gradients> filter(options, file, clock);
-  facts.name = "cg";
+  filter_mesh_impl::Filter<Conjugate_gradients> filter(options, file, clock, facts);
+  facts.solver = "cg";
   const Error_code code = filter.run();
-  if(code == CGAL::Gradient_domain_processing::OK)
+  if(code == CGAL::Gradient_domain_processing::ok)
     facts.iterations = double(filter.solver().iterations());
   return code;
 }

@@ -9,21 +9,21 @@
 using CGAL::Gradient_domain_processing::Default_sparse_linear_solver;
 using CGAL::Gradient_domain_processing::Error_code;
 
-Error_code filter_with_default(const Options& options, Mesh_file& file, Stage_clock& clock, Solver_facts& facts)
+Error_code filter_with_default(const Options& options, Mesh_file& file, Stage_clock& clock, Filter_facts& facts)
 {
-  filter_mesh_impl::Filter<Default_sparse_linear_solver> filter(options, file, clock);
+  filter_mesh_impl::Filter<Default_sparse_linear_solver> filter(options, file, clock, facts);
   const Error_code code = filter.run();
 #ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD
-  facts.name = "cholmod";
+  facts.solver = "cholmod";
   const cholmod_common& common = filter.solver().solver().cholmod();
-  if(code == CGAL::Gradient_domain_processing::OK && common.lnz > 0)
+  if(code == CGAL::Gradient_domain_processing::ok && common.lnz > 0)
   {
     facts.matrix_non_zeros = common.anz;
     facts.factor_non_zeros = common.lnz;
   }
 #else
-  facts.name = "eigen";
-  if(code == CGAL::Gradient_domain_processing::OK && filter.solver().solver().rows() > 0)
+  facts.solver = "eigen";
+  if(code == CGAL::Gradient_domain_processing::ok && filter.solver().solver().rows() > 0)
     facts.factor_non_zeros = double(filter.solver().solver().matrixL().nestedExpression().nonZeros());
 #endif
   return code;

@@ -14,12 +14,12 @@ using CGAL::Gradient_domain_processing::Error_code;
 typedef CGAL::Eigen_solver_traits<Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int> > >
   Eigen_cholesky;
 
-Error_code filter_with_eigen(const Options& options, Mesh_file& file, Stage_clock& clock, Solver_facts& facts)
+Error_code filter_with_eigen(const Options& options, Mesh_file& file, Stage_clock& clock, Filter_facts& facts)
 {
-  filter_mesh_impl::Filter<Eigen_cholesky> filter(options, file, clock);
-  facts.name = "eigen";
+  filter_mesh_impl::Filter<Eigen_cholesky> filter(options, file, clock, facts);
+  facts.solver = "eigen";
   const Error_code code = filter.run();
-  if(code == CGAL::Gradient_domain_processing::OK && filter.solver().solver().rows() > 0)
+  if(code == CGAL::Gradient_domain_processing::ok && filter.solver().solver().rows() > 0)
     facts.factor_non_zeros = double(filter.solver().solver().matrixL().nestedExpression().nonZeros());
   return code;
 }

@@ -6,14 +6,16 @@
 
 // From the bytes of a file through the command line's own code to a result. The first line of an input is the command
 // line, as in "in.off out.ply --gradient-scale 2"; the mesh file follows. Whatever comes, the program refuses it, or the
-// result is finite and can be read again; on an error everything is as it was.
+// result is finite and can be read again, and unchanged it comes out to the byte; on an error everything is as it was.
 
 #include <Failure.h>
-#include <Mesh_file.h>
 #include <Options.h>
 #include <Report.h>
 #include <Stage_clock.h>
+#include <Survey.h>
+#include <files/Mesh_file.h>
 #include <filter_mesh.h>
+#include <normals.h>
 
 #include <algorithm>
 #include <cmath>
@@ -59,60 +61,81 @@ bool read_options(std::string_view line, Options& options)
   if(!parse_command_line(int(arguments.size()), arguments.data(), options))
     return false;
   options.iterations = (std::min)(options.iterations, int(most_passes));
-  options.passes = (std::min)(options.passes, int(most_passes));
-  return true;
-}
-
-bool is_finite(const Mesh_file& file, const Options& options)
-{
-  for(const Point& p : file.mesh.points())
-    if(!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
-      return false;
-  std::vector<const char*> names;
-  if(options.signal == Signal_kind::NORMAL)
-    names = {"nx", "ny", "nz"};
-  else if(options.signal == Signal_kind::COLOR)
-    names = {"red", "green", "blue"};
-  else if(options.signal == Signal_kind::CURVATURE)
-    names = {"curvature", "red", "green", "blue"};
-  for(const char* name : names)
-  {
-    const Column* const column = file.vertex_columns.find(name);
-    demand(column != nullptr, "the signal is not there");
-    for(const double x : column->values)
-      if(!std::isfinite(x))
-        return false;
-  }
+  options.non_shrinking = (std::min)(options.non_shrinking, int(most_passes));
+  options.passes = (std::min)(options.passes.value_or(int(most_passes)), int(most_passes));
   return true;
 }
 
 bool is_same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
-// Columns that were added do not count.
-bool is_as_it_was(const Mesh_file& file, const std::vector<Point>& points, const Columns& columns)
+bool is_same(const Point& a, const Point& b) { return is_same(a.x(), b.x()) && is_same(a.y(), b.y()) && is_same(a.z(), b.z()); }
+
+bool are_same(const std::vector<Point>& a, const std::vector<Point>& b)
 {
-  if(!std::equal(points.begin(), points.end(), file.mesh.points().begin(), file.mesh.points().end()))
-    return false;
-  for(const Column& column : columns)
-  {
-    const Column* const now = file.vertex_columns.find(column.name);
-    if(!now || !std::equal(column.values.begin(), column.values.end(), now->values.begin(), now->values.end(), is_same))
-      return false;
-  }
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Point& p, const Point& q) { return is_same(p, q); });
+}
+
+// What faces use is finite, and what was filtered.
+bool is_finite(const Mesh_file& file)
+{
+  for(int v : file.polygons.corners)
+    for(int i = 0; i < 3; ++i)
+      if(!std::isfinite(file.points[std::size_t(v)][i]))
+        return false;
+  for(const Columns* columns : {&file.vertex_columns, &file.face_columns, &file.normal_columns})
+    for(const Column& column : *columns)
+      for(const double x : column.values)
+        if(column.is_changed && !std::isfinite(x) && column.place < 0)
+          return false;
   return true;
 }
 
-void check_written(const Mesh_file& file, const Options& options)
+// Columns that were added do not count.
+bool is_as_it_was(const Mesh_file& now, const Mesh_file& before)
 {
-  const std::string text = mesh_file_contents(file, options.output_format, options.encoding);
-  if(options.output_format == File_format::STL) // merges points
+  if(!are_same(now.points, before.points))
+    return false;
+  for(const auto columns : {&Mesh_file::vertex_columns, &Mesh_file::face_columns, &Mesh_file::normal_columns})
+    for(const Column& column : before.*columns)
+    {
+      const Column* const c = (now.*columns).find(column.name);
+      if(!c || !std::equal(column.values.begin(), column.values.end(), c->values.begin(), c->values.end(),
+                           [](double x, double y) { return is_same(x, y); }))
+        return false;
+    }
+  return true;
+}
+
+// The result can be read again, to the bit where it is not of single precision.
+void check_written(Mesh_file& file, const Options& options)
+{
+  const Output_form form{options.output_format.value_or(file.format), options.encoding, options.precision};
+  const bool is_other_format = form.format != file.format;
+  std::string text;
+  try
   {
-    parse_mesh_file(options.output, text);
-    return;
+    check_output_form(options, form);
+    check_form(file, form, options.output_name());
+    text = mesh_file_contents(file, form);
   }
-  const Polygon_soup soup = parse_mesh_file(options.output, text);
-  demand(soup.number_of_polygons() == file.mesh.number_of_faces(), "faces were lost");
-  demand(std::equal(soup.points.begin(), soup.points.end(), file.mesh.points().begin(), file.mesh.points().end()), "points were changed");
+  catch(const Usage_error&) { return; }
+  catch(const Failure&) { return; } // a form that cannot hold the mesh
+  const Mesh_file again = parse_mesh_file(options.output_name(), form.format, text);
+  demand(again.polygons.corners.size() == file.polygons.corners.size(), "faces were lost");
+  if(is_other_format && form.format != File_format::STL && form.precision != Precision::SINGLE)
+    demand(are_same(again.points, file.points), "points were changed");
+}
+
+// Without a change every file comes out as it came in.
+void check_copy(const Mesh_file& file)
+{
+  Mesh_file copy = file;
+  const std::string before = file.text;
+  try
+  {
+    demand(mesh_file_contents(copy, {file.format, Encoding::DEFAULT, Precision::DEFAULT}) == before, "the copy is another");
+  }
+  catch(const Failure&) {} // numbers beyond their type
 }
 
 void run(std::string_view input)
@@ -124,36 +147,38 @@ void run(std::string_view input)
   {
     if(!read_options(input.substr(0, end), options))
       return;
-    Polygon_soup soup = parse_mesh_file(options.input, std::string(input.substr((std::min)(end + 1, input.size()))));
-    if(soup.points.size() > most_vertices || soup.number_of_polygons() > most_faces)
-      return;
-    file = connect(options.input, soup, options.read);
+    std::string text(input.substr((std::min)(end + 1, input.size())));
+    const File_format format = options.input_format ? *options.input_format : sniffed_format(options.input_name(), text);
+    file = parse_mesh_file(options.input_name(), format, std::move(text));
   }
   catch(const Usage_error&) { return; }
   catch(const Failure&) { return; }
+  check_copy(file);
+  if(file.points.size() > most_vertices || file.polygons.size() > most_faces)
+    return;
 
-  const std::vector<Point> points(file.mesh.points().begin(), file.mesh.points().end());
-  const Columns columns = file.vertex_columns;
+  const Mesh_file before = file;
   Stage_clock clock(false);
   Report report;
-  report.count(file.mesh);
+  report.survey = survey(file.points, file.polygons);
   try
   {
-    const Error_code code = filter_mesh(options, file, clock, report.solver);
-    if(code != CGAL::Gradient_domain_processing::OK)
+    const Error_code code = filter_mesh(options, file, clock, report.facts);
+    if(code != CGAL::Gradient_domain_processing::ok)
     {
-      demand(is_as_it_was(file, points, columns), "an error, but the mesh has changed");
+      demand(is_as_it_was(file, before), "an error, but the mesh has changed");
       return;
     }
   }
   catch(const Failure&)
   {
-    demand(is_as_it_was(file, points, columns), "a failure, but the mesh has changed");
+    demand(is_as_it_was(file, before), "a failure, but the mesh has changed");
     return;
   }
-  demand(is_finite(file, options), "the result is not finite");
+  report.updated_normals = update_normals(before.points, file);
+  demand(is_finite(file), "the result is not finite");
   check_written(file, options);
-  demand(!report.json(options, clock).empty() && !report.summary(options, clock, file.notes).empty(), "no report");
+  demand(!report.json(options, clock).empty() && !report.summary(options, clock).empty(), "no report");
 }
 
 } // namespace

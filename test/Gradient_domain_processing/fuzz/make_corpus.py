@@ -115,14 +115,14 @@ seed("off_colors", "a.off b.obj --signal color", off(OCTAHEDRON, "COFF", lambda 
 seed("off_texture", "a.off b.stl --binary", off(OCTAHEDRON, "STOFF", lambda i: (i, 1 - i)))
 seed("off_comments", "a.off b.off --border fixed", "# a comment\nOFF # more\n3 1\n\n0 0 0\n+1 0 0 # and\n0 1e0 0\n3 0 1 2 9 9 9\n")
 seed("off_no_keyword", "a.off b.off --solver eigen", "3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
-seed("off_cube", "a.off b.ply --triangulate", off(CUBE))
-seed("off_hexagon", "a.off b.ply --triangulate --signal normal-to-position", off(HEXAGON))
-seed("off_needles", "a.off b.ply --repair --metric anisotropic --curvature-weight 10", off(NEEDLES))
+seed("off_cube", "a.off b.ply", off(CUBE))
+seed("off_hexagon", "a.off b.ply --signal normal-to-position", off(HEXAGON))
+seed("off_needles", "a.off b.ply --metric anisotropic --curvature-weight 10", off(NEEDLES))
 seed("off_isolated", "a.off b.off --operation denoise", off((OCTAHEDRON[0] + [(5, 5, 5)], OCTAHEDRON[1])))
 seed("off_tiny", "a.off b.off --metric preserve-convex", off(([tuple(x * 1e-150 for x in p) for p in grid[0]], grid[1])))
 seed("off_huge", "a.off b.stl --metric preserve-concave", off(([tuple(x * 1e150 for x in p) for p in grid[0]], grid[1])))
 seed("off_far", "a.off b.off --jet-degree 3 --metric edge-aware", off(([tuple(x + 1e8 for x in p) for p in grid[0]], grid[1])))
-seed("off_umbrellas", "a.off b.off --repair --restore-volume", off(TWO_UMBRELLAS))
+seed("off_umbrellas", "a.off b.off --restore-volume", off(TWO_UMBRELLAS))
 seed("obj", "a.obj b.obj --operation enhance-details", whole["obj"])
 seed("obj_normals", "a.obj b.ply --signal normal --iterations 2",
      obj(OCTAHEDRON, lambda v: f"{v + 1}//{v + 1}", lines(("vn", *p) for p in OCTAHEDRON[0])))
@@ -131,7 +131,7 @@ seed("obj_texture", "a.obj b.off --metric edge-aware --curvature normals",
 seed("obj_negative", "a.obj b.off", obj(OCTAHEDRON, lambda v: str(v - 6)))
 seed("obj_colors", "a.obj b.ply --signal color --gradient-scale 3",
      obj(([(*p, 0.1 * i, 1, 0) for i, p in enumerate(OCTAHEDRON[0])], OCTAHEDRON[1])))
-seed("obj_edge", "a.obj b.obj --repair --triangulate", obj(THREE_ON_AN_EDGE))
+seed("obj_edge", "a.obj b.obj", obj(THREE_ON_AN_EDGE))
 seed("ply", "a.ply b.ply --ascii --constrain selected --value-weight-property weight", whole["ply"])
 seed("ply_region", "a.ply b.ply --region selected --border along-border", ascii_ply(wave(5)))
 seed("ply_color", "a.ply b.off --signal color --gradient-scale 9 --gradient-weight 1", whole["ply"])
@@ -139,7 +139,7 @@ seed("ply_masks", "a.ply b.ply --gradient-weight-property weight --gradient-scal
 seed("ply_little", "a.ply b.ply --signal curvature", binary_ply(grid, "little"))
 seed("ply_big", "a.ply b.obj --operation denoise --passes 2", binary_ply(grid, "big", PROPERTIES))
 seed("ply_little_properties", "a.ply b.ply --signal normal-to-position", binary_ply(OCTAHEDRON, "little", PROPERTIES))
-seed("ply_cube", "a.ply b.stl --triangulate --area-normalization off", binary_ply(CUBE, "little"))
+seed("ply_cube", "a.ply b.stl --area-normalization off", binary_ply(CUBE, "little"))
 strips = ply_header("ascii", (OCTAHEDRON[0], [0]), (), "element tristrips {}\nproperty list int int vertex_indices\n")
 seed("ply_strips", "a.ply b.ply", strips + lines(OCTAHEDRON[0]) + "9 0 2 4 1 3 -1 0 5 3\n")
 seed("ply_other_elements", "a.ply b.ply --threads 1",
@@ -150,6 +150,14 @@ seed("ply_other_elements", "a.ply b.ply --threads 1",
 seed("stl", "a.stl b.stl", whole["stl"])
 seed("stl_binary", "a.stl b.stl --binary --restore-volume", binary_stl(OCTAHEDRON))
 seed("stl_binary_grid", "a.stl b.off --metric edge-aware --presmoothing-weight 0", binary_stl(grid))
+seed("stream", "- - --keep-normals", off(OCTAHEDRON, "NOFF", lambda i: (0.1, i, 1)))
+seed("ply_property", "a.ply b.ply --signal weight,nx --missing-values --non-shrinking 3", ascii_ply(grid).replace("0.5 0.25 1 0", "nan 0.25 1 0"))
+seed("ply_axes", "a.ply b.ply --axes z --max-displacement 0.1 --precision double --ascii", binary_ply(grid, "big", PROPERTIES))
+seed("ply_no_weld", "a.ply b.off --no-weld --gradient-weight 1e-2", ascii_ply(OCTAHEDRON))
+seed("obj_continued", "a.obj b.obj --gradient-weight 1e-2", obj(OCTAHEDRON, lambda v: f"{v + 1}//{v % 2 + 1} \\\n", "vn 0 0 1\nvn 0 1 \\\n0\n# c\\\n"))
+seed("off_face_colors", "a.off b.ply --operation denoise --noise-level 0.1 --passes 1",
+     off((OCTAHEDRON[0], [(0, 2, 4), (2, 1, 4)])).replace("3 0 2 4", "3 0 2 4 255 0 0").replace("3 2 1 4", "3 2 1 4 0 0 9"))
+seed("stl_weld", "a.stl b.stl --weld-tolerance 1e-3 --binary", whole["stl"])
 seed("help", "--help", "")
 
 # broken ones

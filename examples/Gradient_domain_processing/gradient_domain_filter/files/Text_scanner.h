@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef GRADIENT_DOMAIN_FILTER_TEXT_SCANNER_H
-#define GRADIENT_DOMAIN_FILTER_TEXT_SCANNER_H
+#ifndef GRADIENT_DOMAIN_FILTER_FILES_TEXT_SCANNER_H
+#define GRADIENT_DOMAIN_FILTER_FILES_TEXT_SCANNER_H
 
 #include <charconv>
 #include <cstdlib>
@@ -18,9 +18,11 @@ class Text_scanner
 {
   const char* m_at;
   const char* m_end;
+  bool m_lines_continue; // after a backslash, as in OBJ
 
 public:
-  Text_scanner(const char* begin, const char* end) : m_at(begin), m_end(end) {}
+  Text_scanner(const char* begin, const char* end, bool lines_continue = false)
+    : m_at(begin), m_end(end), m_lines_continue(lines_continue) {}
   explicit Text_scanner(std::string_view text) : Text_scanner(text.data(), text.data() + text.size()) {}
 
   const char* position() const { return m_at; }
@@ -31,7 +33,7 @@ public:
 
   void skip_space()
   {
-    while(m_at != m_end && is_space(*m_at))
+    while(m_at != m_end && (is_space(*m_at) || is_continuation()))
       ++m_at;
   }
 
@@ -40,6 +42,8 @@ public:
   {
     const char* const begin = m_at;
     const char* end = static_cast<const char*>(std::memchr(m_at, '\n', remaining()));
+    while(m_lines_continue && end && is_continued(begin, end))
+      end = static_cast<const char*>(std::memchr(end + 1, '\n', std::size_t(m_end - end - 1)));
     m_at = end ? end + 1 : m_end;
     if(!end)
       end = m_end;
@@ -67,7 +71,7 @@ public:
   {
     skip_space();
     const char* const begin = m_at;
-    while(m_at != m_end && !is_space(*m_at))
+    while(m_at != m_end && !is_space(*m_at) && !is_continuation())
       ++m_at;
     return std::string_view(begin, std::size_t(m_at - begin));
   }
@@ -75,7 +79,7 @@ public:
   bool number(double& x)
   {
     const std::string_view text = word();
-    return !text.empty() && parse(text, x);
+    return parse(text, x);
   }
 
   template <class Integer>
@@ -86,10 +90,9 @@ public:
     return !text.empty() && result.ec == std::errc() && result.ptr == text.data() + text.size();
   }
 
-private:
   static bool parse(std::string_view text, double& x)
   {
-    if(text.front() == '+')
+    if(!text.empty() && text.front() == '+')
       text.remove_prefix(1);
 #ifdef __cpp_lib_to_chars
     const auto result = std::from_chars(text.data(), text.data() + text.size(), x);
@@ -101,6 +104,22 @@ private:
     x = std::strtod(copy.c_str(), &end);
     return !copy.empty() && end == copy.c_str() + copy.size();
   }
+
+private:
+  // Whether we are at a backslash that ends a line.
+  bool is_continuation() const
+  {
+    return m_lines_continue && m_at != m_end && *m_at == '\\'
+           && (m_end - m_at == 1 || m_at[1] == '\n' || (m_at[1] == '\r' && m_end - m_at > 2 && m_at[2] == '\n'));
+  }
+
+  // Comments end with their line, whatever is in them.
+  static bool is_continued(const char* begin, const char* end)
+  {
+    if(std::memchr(begin, '#', std::size_t(end - begin)))
+      return false;
+    return (end - begin >= 1 && end[-1] == '\\') || (end - begin >= 2 && end[-1] == '\r' && end[-2] == '\\');
+  }
 };
 
-#endif // GRADIENT_DOMAIN_FILTER_TEXT_SCANNER_H
+#endif // GRADIENT_DOMAIN_FILTER_FILES_TEXT_SCANNER_H

@@ -1,0 +1,30 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef GRADIENT_DOMAIN_FILTER_SURVEY_H
+#define GRADIENT_DOMAIN_FILTER_SURVEY_H
+
+#include "files/Mesh_file.h"
+
+#include <string>
+#include <vector>
+
+// What there is to know of polygons before they are filtered.
+struct Survey
+{
+  std::size_t vertices = 0, unused_vertices = 0, faces = 0, edges = 0, border_edges = 0;
+  std::size_t crowded_edges = 0;     // with more than two faces
+  std::size_t components = 0, lone_faces = 0; // connected at vertices
+  std::size_t seam_vertices = 0;     // at the border, at the same place as another one
+  double area = 0, smallest_extent = 0, largest_extent = 0; // of components
+
+  // What a stranger will trip over, a line each.
+  std::vector<std::string> remarks(bool seams_are_welded) const;
+};
+
+Survey survey(const std::vector<Point>& points, const Polygons& polygons);
+
+#endif // GRADIENT_DOMAIN_FILTER_SURVEY_H
