@@ -71,7 +71,7 @@ public:
     repair_outliers(points);
     estimate(points);
     if(m_noise.level == 0)
-      return OK;
+      return ok;
     prepare_border();
     m_mean_edge_length = mean_edge_length(points);
     Normal_filter filter_normals(m_mesh, m_dual, m_parallel);
@@ -87,14 +87,14 @@ public:
       before = points;
       const Face_geometry faces(m_mesh, m_dual, points, m_parallel);
       if(!progress.go_on(double(k) / passes))
-        return ERROR_CANCELLED;
+        return error_cancelled;
       filter_normals(points, faces, [&](int f) { return smoothing(k, f); }, m_normals);
       if(k >= denoising::border_passes)
         keep_border_normals(faces);
       for(int i = 0; i < denoising::position_updates; ++i)
       {
         if(!progress.go_on((k + 0.5 + 0.5 * i / denoising::position_updates) / passes))
-          return ERROR_CANCELLED;
+          return error_cancelled;
         fit_positions(m_input, m_normals, points);
       }
       if(!m_options.number_of_iterations && m_reach == 1 && is_at_end(k, before, variation, points))
@@ -106,7 +106,7 @@ public:
         weigh_positions(fit_positions);
       }
     }
-    return OK;
+    return ok;
   }
 
 private:
@@ -340,7 +340,7 @@ inline Error_code denoise_parts(const Indexed_triangles& mesh, const std::vector
       points[vertices[i]] = moved[i];
     merge(of_part, summary);
   }
-  return OK;
+  return ok;
 }
 
 // Constrained vertices stay where they are, to the bit. Every component of the mesh has noise of its own. On an error, `points` are
@@ -350,11 +350,11 @@ inline Error_code denoise_points(const Indexed_triangles& mesh, const std::vecto
 {
   summary = Denoising_summary();
   if(!options.are_valid())
-    return ERROR_INVALID_PARAMETER;
+    return error_invalid_parameter;
   if(mesh.triangles.empty())
-    return OK;
+    return ok;
   if(!progress.go_on(0))
-    return ERROR_CANCELLED;
+    return error_cancelled;
   Stage_scope stage(progress, Stage::SOLVE);
   const std::vector<std::vector<int> > parts = parts_to_denoise(mesh);
   if(parts.size() > 1)
