@@ -45,6 +45,9 @@ CGAL_GDP_CONSTANT double residual_correlation = 0.1;
 // At the border: the factor of the value weight, at least, and that of the smoothing of normals from pass to pass. From open waves and wedges.
 CGAL_GDP_CONSTANT double border_value_weight = 3, border_normal_decay = 0.85;
 
+// How strongly the border is kept where it is smoothed as a curve: 0.13 rounds the corners of a square over ten edges.
+CGAL_GDP_CONSTANT double border_curve_weight = 0.5;
+
 // Relative residuals of the two systems. 1e-2 for normals leaves Star at 1.76 instead of 1.46, 1e-5 gives 1.43; for positions 1e-2 and 1e-5
 // give the same, as every fit starts from the last.
 CGAL_GDP_CONSTANT double normal_tolerance = 1e-3, position_tolerance = 1e-2;

@@ -198,7 +198,7 @@ private:
             const int v = m_mesh.triangles[f][(i + j) % 3];
             sides[v][sides[v][0] < 0 ? 0 : 1] = m_mesh.triangles[f][(i + 1 - j) % 3];
           }
-    const double weight = m_options.value_weight.value_or(denoising::value_weight) * denoising::border_value_weight;
+    const double weight = denoising::border_curve_weight;
     std::vector<Vec3> right(n, Vec3(0, 0, 0)), change = right;
     const auto differences = [&](const std::vector<Vec3>& p, int v) {
       return Vec3(p[v] - p[sides[v][0]] + p[v] - p[sides[v][1]]);
