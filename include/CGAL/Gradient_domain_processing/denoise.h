@@ -100,12 +100,12 @@ Error_code denoise(Solver solver, TriangleMesh& tm, const NamedParameters& np)
  *   \cgalParamNBegin{noise_scale}
  *     \cgalParamDescription{over how many mean edge lengths the noise is correlated; 1 for white noise; useful: 1 to 9. More smooths further, at the same difference of normals.}
  *     \cgalParamType{`double`}
- *     \cgalParamDefault{1 for white noise, 6 where correlated noise is found, 1.5 where neither is and a level or a number of passes is named}
+ *     \cgalParamDefault{1 for white noise, 6 where correlated noise is found, 1.4 where neither is and a level or a number of passes is named}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{value_weight}
  *     \cgalParamDescription{how strongly the input positions are kept; useful: 0.02 (smoother, vertices move more) to 0.1}
  *     \cgalParamType{`double`}
- *     \cgalParamDefault{`0.042`, divided by the scale of the noise}
+ *     \cgalParamDefault{`0.045`, divided by the scale of the noise}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{denoising_summary}
  *     \cgalParamDescription{what was found and done}

@@ -28,7 +28,7 @@ constexpr int most_passes = 20, border_passes = 5;
 constexpr int normal_updates = 2, position_updates = 3;
 
 // How strongly the input is kept: 0.05, 0.03, 0.02 give Star 1.46, 1.26, 1.20 and Fandisk 2.42, 2.64, 2.94.
-CGAL_GDP_CONSTANT double value_weight = 0.042;
+CGAL_GDP_CONSTANT double value_weight = 0.045;
 
 // The difference of normals that counts as small: of the first pass in noise levels, its factor from pass to pass, its bounds in radians.
 // 2.4, 2.8, 3.2 give Genus3 3.31, 2.95, 2.76 and Part 3.02, 2.95, 2.92; decay 0.88 ends Twelve at 6.8; the least of 0.15, 0.2, 0.25 gives
@@ -72,8 +72,8 @@ constexpr int correlation_sample = 3000;
 CGAL_GDP_CONSTANT double correlated_level = 0.15, correlated_scale = 6;
 
 // The scale where a level is named for a mesh without white noise: iron, a cast part, comes to a median of 1.3, 1.0, 0.8 degrees from face to face at
-// 1, 1.5, 3, its farthest vertex to 0.3, 0.5, 1.4 edges.
-CGAL_GDP_CONSTANT double rest_scale = 1.5;
+// 1, 1.5, 3, its farthest vertex to 0.3, 0.6, 1.4 edges.
+CGAL_GDP_CONSTANT double rest_scale = 1.4;
 
 // Components of fewer vertices tell too little of their noise.
 constexpr int least_component = 200;
