@@ -34,7 +34,7 @@ Error_code denoise_mesh(const Options& options, Mesh_file& file, Stage_clock& cl
     .denoising_summary(std::ref(summary))
     .noise_level(options.noise_level)
     .noise_scale(options.noise_scale)
-    .value_weight(options.denoising_value_weight.value_or(0.05));
+    .value_weight(options.denoising_value_weight.value_or(GDP::internal::denoising::value_weight));
   const auto run = [&](const auto& pack) {
     return in_region(input, facts, [&](const auto&... faces) { return GDP::denoise(faces..., file.points, file.polygons, pack); });
   };
