@@ -6,6 +6,8 @@
 
 #include "Report.h"
 
+#include <CGAL/Gradient_domain_processing/internal/denoising/constants.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -104,7 +106,7 @@ std::vector<std::pair<std::string, std::string> > used_weights(const Options& o)
     return used;
   if(o.operation == Operation::DENOISE)
   {
-    add("value_weight", o.denoising_value_weight.value_or(0.05));
+    add("value_weight", o.denoising_value_weight.value_or(CGAL::Gradient_domain_processing::internal::denoising::value_weight));
     return used;
   }
   add("value_weight", o.value_weight, o.value_weight_property);

@@ -14,17 +14,12 @@
 #include <CGAL/Gradient_domain_processing/enum.h>
 #include <CGAL/Gradient_domain_processing/parameters.h>
 #include <CGAL/Gradient_domain_processing/visitor.h>
-#include <CGAL/Gradient_domain_processing/internal/filtering/read_parameters.h>
 #include <CGAL/Gradient_domain_processing/internal/filtering/filter_signal.h>
 #include <CGAL/Gradient_domain_processing/internal/filtering/fit_gradients.h>
-#include <CGAL/Gradient_domain_processing/internal/mesh/point_map.h>
-#include <CGAL/Gradient_domain_processing/internal/mesh/read_graph.h>
-#include <CGAL/Gradient_domain_processing/internal/mesh/read_soup.h>
+#include <CGAL/Gradient_domain_processing/internal/filtering/Surface_filter.h>
 
-#include <memory>
-#include <string>
-#include <utility>
-#include <vector>
+#include <cmath>
+#include <cstddef>
 
 namespace CGAL {
 namespace Gradient_domain_processing {
@@ -58,22 +53,17 @@ namespace Gradient_domain_processing {
  * \sa `make_gradient_domain_solver()`
  */
 template <class TriangleMesh, class SparseLinearSolver = Default_sparse_linear_solver>
-class Gradient_domain_solver
+class Gradient_domain_solver : internal::Surface_filter<TriangleMesh, SparseLinearSolver>
 {
-  typedef internal::Surface_traits<TriangleMesh> Surface_traits;
+  typedef internal::Surface_filter<TriangleMesh, SparseLinearSolver> Base;
+  using Base::m_elements;
+  using Base::m_error;
+  using Base::m_filter;
+  using Base::m_has_face_outside;
 
 public:
-  typedef typename Surface_traits::vertex_descriptor vertex_descriptor;
-  typedef typename Surface_traits::face_descriptor face_descriptor;
-
-private:
-  std::unique_ptr<internal::Surface_progress<TriangleMesh> > m_progress;
-  internal::Surface_elements<TriangleMesh> m_elements;
-  internal::Filter<SparseLinearSolver> m_filter;
-  std::vector<char> m_has_face_outside; // by vertex; none: the whole surface
-  int m_number_of_welded_vertices = 0;
-  bool m_may_values_be_missing = false;
-  Error_code m_error = ok;
+  typedef typename internal::Surface_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+  typedef typename internal::Surface_traits<TriangleMesh>::face_descriptor face_descriptor;
 
 public:
   /// \name Construction
@@ -209,9 +199,9 @@ public:
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   explicit Gradient_domain_solver(const TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
-    : Gradient_domain_solver(np)
+    : Base(np)
   {
-    initialize(tm, np, [&](internal::Reading& reading) {
+    this->initialize(tm, np, [&](internal::Reading& reading) {
       return internal::read_surface(tm, internal::point_map(tm, np), np, reading, m_elements, m_filter.system.mesh);
     });
   }
@@ -227,9 +217,9 @@ public:
    */
   template <class FaceRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
   Gradient_domain_solver(const FaceRange& region, const TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
-    : Gradient_domain_solver(np)
+    : Base(np)
   {
-    initialize(tm, np, [&](internal::Reading& reading) {
+    this->initialize(tm, np, [&](internal::Reading& reading) {
       return internal::read_region(region, tm, internal::point_map(tm, np), np, reading, m_elements, m_filter.system.mesh,
                                    m_has_face_outside);
     });
@@ -249,7 +239,7 @@ public:
   std::size_t number_of_degrees_of_freedom() const { return std::size_t(m_filter.system.degrees_of_freedom().size()); }
 
   /// returns how many vertices were welded to others.
-  std::size_t number_of_welded_vertices() const { return std::size_t(m_number_of_welded_vertices); }
+  std::size_t number_of_welded_vertices() const { return std::size_t(this->m_number_of_welded_vertices); }
 
   /// @}
   /// \name Weights, Constraints and Metric
@@ -260,14 +250,14 @@ public:
   /// sets \f$ \alpha \f$, at all vertices.
   Error_code set_value_weight(double alpha)
   {
-    return set_weight(alpha, [](internal::Energy_weights& weights, double w) { weights.set_value(w); });
+    return this->set_weight(alpha, [](internal::Energy_weights& weights, double w) { weights.set_value(w); });
   }
 
   /// sets \f$ \beta \f$, on all faces, in the units that were chosen on construction.
   Error_code set_gradient_weight(double beta)
   {
     const double unit = m_filter.squared_length_unit;
-    return set_weight(beta, [unit](internal::Energy_weights& weights, double w) { weights.set_gradient(w * unit); });
+    return this->set_weight(beta, [unit](internal::Energy_weights& weights, double w) { weights.set_gradient(w * unit); });
   }
 
   /// sets \f$ \lambda \f$, on all faces. Costs nothing.
@@ -327,7 +317,7 @@ public:
   /// factorizes the system now rather than with the first solution.
   Error_code factorize()
   {
-    return m_error != ok ? m_error : m_filter.system.factorize(*m_progress);
+    return m_error != ok ? m_error : m_filter.system.factorize(progress());
   }
 
   /*!
@@ -340,7 +330,7 @@ public:
   template <class InMap, class OutMap>
   Error_code filter(InMap in, OutMap out, int number_of_iterations = 1)
   {
-    return m_error != ok ? m_error : checked(internal::filter_signal(in, out, number_of_iterations, m_may_values_be_missing,
+    return m_error != ok ? m_error : checked(internal::filter_signal(in, out, number_of_iterations, this->m_may_values_be_missing,
                                                                      m_elements, m_filter));
   }
 
@@ -363,137 +353,16 @@ public:
 
   /// \cond SKIP_IN_MANUAL
   // For the functions of this package, which work on the arrays.
-
-  internal::Filter<SparseLinearSolver>& arrays() { return m_filter; }
-  const internal::Surface_elements<TriangleMesh>& elements() const { return m_elements; }
-  internal::Surface_progress<TriangleMesh>& progress() { return *m_progress; }
-
-  // Tells the visitor whom an error is about, and returns it.
-  Error_code checked(Error_code code)
-  {
-    const internal::Culprit culprit = std::exchange(m_filter.culprit, internal::Culprit());
-    if(code != ok && culprit.row >= 0)
-      m_progress->invalid_vertex(code, m_elements.vertices[std::size_t(culprit.row)]);
-    if(code != ok && culprit.face >= 0)
-      m_progress->invalid_face(code, m_elements.faces[std::size_t(culprit.face)]);
-    return code;
-  }
+  using Base::arrays;
+  using Base::checked;
+  using Base::elements;
+  using Base::progress;
   /// \endcond
-
-private:
-  template <typename CGAL_NP_TEMPLATE_PARAMETERS>
-  explicit Gradient_domain_solver(const CGAL_NP_CLASS& np)
-    : m_progress(internal::make_progress<TriangleMesh>(np))
-    , m_filter(internal::parameter(np, CGAL::internal_np::sparse_linear_solver, SparseLinearSolver()), *m_progress)
-  {
-    m_may_values_be_missing = internal::parameter(np, CGAL::internal_np::missing_values, false);
-    m_progress->plan(internal::planned_work(np));
-  }
-
-  template <class Set>
-  Error_code set_weight(double weight, const Set& set)
-  {
-    if(!internal::is_weight(weight))
-      return error_invalid_weight;
-    internal::Energy_weights weights = m_filter.system.weights();
-    set(weights, weight);
-    m_filter.system.set_weights(weights);
-    return ok;
-  }
-
-  template <class NamedParameters, class Read>
-  void initialize(const TriangleMesh& tm, const NamedParameters& np, const Read& read)
-  {
-    m_error = m_filter.ready();
-    if(m_error == ok)
-    {
-      internal::Stage_scope stage(*m_progress, Stage::READ);
-      internal::Reading reading = internal::reading_parameters(np);
-      m_error = read(reading);
-      m_filter.culprit = reading.culprit;
-      m_filter.system.parallel = reading.parallel;
-      m_number_of_welded_vertices = reading.number_of_welded_vertices;
-      if(m_error == ok)
-        m_error = prepare(tm, np);
-      checked(m_error);
-    }
-    if(m_error == ok)
-      m_error = set_metric_from_parameters(np);
-    if(m_error == ok && m_number_of_welded_vertices > 0)
-      m_progress->notice(std::to_string(m_number_of_welded_vertices) + " vertices at seams were welded to others");
-  }
-
-  template <class NamedParameters>
-  Error_code prepare(const TriangleMesh& tm, const NamedParameters& np)
-  {
-    const internal::Indexed_triangles& mesh = m_filter.mesh();
-    m_filter.squared_length_unit = internal::parameter(np, CGAL::internal_np::area_normalization, true)
-      ? internal::total_area(tm, internal::point_map(tm, np), m_elements, mesh, m_filter.system.parallel)
-      : 1 / (mesh.unit() * mesh.unit());
-    if(!std::isfinite(m_filter.squared_length_unit))
-      return error_invalid_point;
-    internal::read_constraints(np, m_elements, m_has_face_outside, m_filter);
-    return internal::read_weights(np, m_elements, m_filter);
-  }
 };
-
-/*!
- * \ingroup PkgGradientDomainProcessingRef
- *
- * returns a `Gradient_domain_solver` for the mesh, with the linear solver that is named in `np`.
- */
-template <class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_mesh<TriangleMesh> >
-auto make_gradient_domain_solver(const TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  typedef internal::Parameter_type<CGAL::internal_np::sparse_linear_solver_t, CGAL_NP_CLASS, Default_sparse_linear_solver> Solver;
-  return Gradient_domain_solver<TriangleMesh, Solver>(tm, np);
-}
-
-/*!
- * \ingroup PkgGradientDomainProcessingRef
- *
- * returns a `Gradient_domain_solver` for a region of the mesh, with the linear solver that is named in `np`.
- */
-template <class FaceRange, class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_mesh<TriangleMesh> >
-auto make_gradient_domain_solver(const FaceRange& region, const TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  typedef internal::Parameter_type<CGAL::internal_np::sparse_linear_solver_t, CGAL_NP_CLASS, Default_sparse_linear_solver> Solver;
-  return Gradient_domain_solver<TriangleMesh, Solver>(region, tm, np);
-}
-
-/*!
- * \ingroup PkgGradientDomainProcessingRef
- *
- * returns a `Gradient_domain_solver` for a soup: points and polygons that index them, with any number of polygons at an edge.
- * The descriptors of its vertices and faces are indices, of type `std::size_t`.
- *
- * \tparam PointRange a model of `RandomAccessContainer` whose value is a point: with `operator[]` or `x()`, `y()`, `z()`
- * \tparam PolygonRange a model of `RandomAccessContainer` whose value is a range of indices
- */
-template <class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_range<const PolygonRange>, class = void>
-auto make_gradient_domain_solver(const PointRange& points, const PolygonRange& polygons, const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  typedef internal::Parameter_type<CGAL::internal_np::sparse_linear_solver_t, CGAL_NP_CLASS, Default_sparse_linear_solver> Solver;
-  typedef internal::Polygon_soup<const PointRange, PolygonRange> Soup;
-  return Gradient_domain_solver<Soup, Solver>(Soup{points, polygons}, np);
-}
-
-/*!
- * \ingroup PkgGradientDomainProcessingRef
- *
- * returns a `Gradient_domain_solver` for a region of a soup, given by the indices of its polygons.
- */
-template <class FaceRange, class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
-          class = internal::Enable_if_range<const PolygonRange> >
-auto make_gradient_domain_solver(const FaceRange& region, const PointRange& points, const PolygonRange& polygons,
-                                 const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  typedef internal::Parameter_type<CGAL::internal_np::sparse_linear_solver_t, CGAL_NP_CLASS, Default_sparse_linear_solver> Solver;
-  typedef internal::Polygon_soup<const PointRange, PolygonRange> Soup;
-  return Gradient_domain_solver<Soup, Solver>(region, Soup{points, polygons}, np);
-}
 
 } // namespace Gradient_domain_processing
 } // namespace CGAL
+
+#include <CGAL/Gradient_domain_processing/make_gradient_domain_solver.h>
 
 #endif // CGAL_GRADIENT_DOMAIN_PROCESSING_GRADIENT_DOMAIN_SOLVER_H
