@@ -361,7 +361,7 @@ struct Cancelling : GDP::internal::Progress
   double last = 0;
   bool is_increasing = true;
   explicit Cancelling(int calls) : left(calls) {}
-  bool go_on(double done) override
+  bool report(double done) override
   {
     is_increasing = is_increasing && done >= last && done <= 1;
     last = done;

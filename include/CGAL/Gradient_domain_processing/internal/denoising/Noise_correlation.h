@@ -114,8 +114,10 @@ inline bool has_correlated_noise(const Indexed_triangles& mesh, const Dual_graph
   if(*most < denoising::least_rough_angle)
     return false;
   const std::vector<Vec3> normals = vertex_normals(mesh, faces.areas, faces.normals, parallel);
-  const double excess = correlated_excess(correlation_by_distance(mesh, rings, fine_heights(rings, points, normals, parallel)));
-  return excess > denoising::least_correlated_excess + 1 / std::sqrt(double(points.size()));
+  const std::array<double, 5> c = correlation_by_distance(mesh, rings, fine_heights(rings, points, normals, parallel));
+  const bool is_wave = (std::min)(c[3], c[4]) < denoising::least_correlation_of_noise;
+  return c[1] < denoising::most_correlation_of_noise && !is_wave
+      && correlated_excess(c) > denoising::least_correlated_excess + 1 / std::sqrt(double(points.size()));
 }
 
 } // namespace internal
