@@ -8,6 +8,7 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_NOISE_CORRELATION_H
 
 #include <CGAL/Gradient_domain_processing/internal/denoising/Face_geometry.h>
+#include <CGAL/Gradient_domain_processing/internal/denoising/Noise_estimate.h>
 #include <CGAL/Gradient_domain_processing/internal/denoising/conjugate_gradients.h>
 #include <CGAL/Gradient_domain_processing/internal/denoising/constants.h>
 
@@ -111,7 +112,7 @@ inline bool has_correlated_noise(const Indexed_triangles& mesh, const Dual_graph
     return false;
   const auto most = angles.begin() + std::ptrdiff_t(angles.size() * 4 / 5);
   std::nth_element(angles.begin(), most, angles.end());
-  if(*most < denoising::least_rough_angle)
+  if(*most < denoising::least_rough_angle || is_faceted(mesh, faces, dual, median(angles)))
     return false;
   const std::vector<Vec3> normals = vertex_normals(mesh, faces.areas, faces.normals, parallel);
   const std::array<double, 5> c = correlation_by_distance(mesh, rings, fine_heights(rings, points, normals, parallel));

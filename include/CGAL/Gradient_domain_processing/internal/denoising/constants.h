@@ -64,9 +64,9 @@ constexpr int outlier_steps = 10, outlier_rounds = 3;
 // Correlated noise: what the smoothing (I + 4 D^-1 L)^-1 takes away has this much more correlation along an edge than shape has, where
 // a fifth of the edges is bent by this angle. White and impulsive noise: -0.13 to 0.04; clean scans: -0.18 to 0.02; Pyramid 0.14, a label map of
 // a sphere 0.32. Clean parts reach 0.2 by their creases, but are flat elsewhere: four fifths of their edges are bent by less than 0.12.
-// Refined facets and short waves have such an excess too: facets a correlation of 0.70 along an edge, waves of 13 and 9 edges 0.82 and 0.61
-// and of -0.12 (-0.09 under white noise) and -0.22 at four and three edges; Pyramid and the label map have 0.43 and 0.51 and nothing below 0.
-CGAL_GDP_CONSTANT double most_correlation_of_noise = 0.65, least_correlation_of_noise = -0.05;
+// Refined facets, which are told by their planes, and short waves have such an excess too: waves of 13 and 9 edges a correlation of 0.82 and
+// 0.61 along an edge and of -0.12 (-0.09 under white noise) and -0.22 at four and three edges; Pyramid and the label map have 0.43 and 0.51 and nothing below 0.
+CGAL_GDP_CONSTANT double most_correlation_of_noise = 0.8, least_correlation_of_noise = -0.05;
 CGAL_GDP_CONSTANT double fine_smoothing = 4, least_rough_angle = 0.12, least_correlated_excess = 0.06;
 constexpr int correlation_sample = 3000;
 
