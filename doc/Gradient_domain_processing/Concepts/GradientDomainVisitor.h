@@ -6,7 +6,8 @@
  * value, which is copied, or as a `std::reference_wrapper` (`std::ref(my_visitor)`) if it has a state to read afterwards.
  *
  * Stages may occur more than once, and may nest: curvature is estimated while the metric is prepared, for example. A stage that begins inside
- * of another one ends before it. All functions are called from the thread that called the package. They may throw; the exception comes through.
+ * of another one ends before it. With several threads `go_on()` may be called from any of them while curvature is estimated, but never by two at once;
+ * all else is called from the thread that called the package. Any of these functions may throw; the exception comes through.
  *
  * \cgalHasModel `CGAL::Gradient_domain_processing::Default_visitor`
  */
