@@ -10,6 +10,7 @@
 #include <CGAL/Gradient_domain_processing/denoise.h>
 
 #include <cstdlib>
+#include <functional>
 #include <iostream>
 #include <string>
 
@@ -30,13 +31,15 @@ int main(int argc, char* argv[])
   }
 
   // How strong the noise is, and how many passes it takes, is found from the mesh.
-  const GDP::Error_code code = GDP::denoise(mesh);
+  GDP::Denoising_summary summary;
+  const GDP::Error_code code = GDP::denoise(mesh, GDP::parameters::denoising_summary(std::ref(summary)));
   if(code != GDP::OK)
   {
     std::cerr << GDP::get_error_message(code) << std::endl;
     return EXIT_FAILURE;
   }
   CGAL::IO::write_polygon_mesh(output, mesh, CGAL::parameters::stream_precision(17));
-  std::cout << "Removed the noise of " << input << ": see " << output << std::endl;
+  std::cout << input << ": noise level " << summary.noise_level << " radians, " << summary.number_of_outliers << " outliers, "
+            << summary.number_of_iterations << " passes: " << GDP::get_denoising_end_message(summary.end) << ". See " << output << std::endl;
   return EXIT_SUCCESS;
 }

@@ -68,6 +68,8 @@ std::string why_unchanged(const Options& o, const Report& report)
     return report.facts.why_unchanged;
   if(o.operation != Operation::DENOISE && o.gradient_weight == 0 && o.gradient_weight_property.empty())
     return "the gradient weight is 0";
+  if(o.operation == Operation::FILTER && o.signal == Signal_kind::NORMAL_TO_POSITION)
+    return "the normals are those that the surface has; --gradient-weight filters them first";
   if(o.operation == Operation::FILTER && o.gradient_scale == 1 && o.gradient_scale_property.empty())
     return "the gradient scale is 1";
   if(o.max_displacement && *o.max_displacement == 0)

@@ -175,6 +175,10 @@ void read_rest(const po::variables_map& given, Options& o)
        || std::set<char>(axes.begin(), axes.end()).size() != axes.size())
       throw Usage_error("--axes is some of x, y and z, not '" + axes + "'");
   }
+  // normals are fitted as they are, unless their filter is described
+  if(o.signal == Signal_kind::NORMAL_TO_POSITION && !is_given(given, "gradient-scale") && !is_given(given, "gradient-weight")
+     && !given.count("gradient-weight-property"))
+    o.gradient_scale = 1;
   o.restores_volume = given.count("restore-volume") > 0;
   o.has_missing_values = given.count("missing-values") > 0;
   o.keeps_normals = given.count("keep-normals") > 0;

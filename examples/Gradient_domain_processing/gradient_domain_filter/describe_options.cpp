@@ -23,7 +23,7 @@ po::options_description filter_options(Options& o)
     ("value-weight", po::value(&o.value_weight)->default_value(1, "1"), "alpha: how strongly values are kept")
     ("gradient-weight", po::value(&o.gradient_weight)->default_value(1e-4, "1e-4"),
      "beta: how strongly gradients are fitted, 1e-6 (fine noise) to 1e-2; in units of the area of the mesh")
-    ("gradient-scale", po::value(&o.gradient_scale)->default_value(0, "0"), "lambda: below 1 smooths, above 1 sharpens")
+    ("gradient-scale", po::value(&o.gradient_scale)->default_value(0, "0"), "lambda: below 1 smooths, above 1 sharpens; 1 for normal-to-position without a --gradient-weight")
     ("metric", po::value<std::string>()->default_value("embedding"),
      "embedding | edge-aware | anisotropic | preserve-convex | preserve-concave; edge-aware if a --curvature-weight is given")
     ("curvature-weight", po::value(&o.curvature_weight)->default_value(0.02, "0.02"), "epsilon: how strongly curvature stretches the metric")

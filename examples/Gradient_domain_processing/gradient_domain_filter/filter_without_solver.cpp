@@ -34,7 +34,7 @@ Error_code denoise_mesh(const Options& options, Mesh_file& file, Stage_clock& cl
     .denoising_summary(std::ref(summary))
     .noise_level(options.noise_level)
     .noise_scale(options.noise_scale)
-    .value_weight(options.denoising_value_weight.value_or(0.05));
+    .value_weight(options.denoising_value_weight.value_or(GDP::internal::denoising::value_weight));
   const auto run = [&](const auto& pack) {
     return in_region(input, facts, [&](const auto&... faces) { return GDP::denoise(faces..., file.points, file.polygons, pack); });
   };
@@ -44,8 +44,8 @@ Error_code denoise_mesh(const Options& options, Mesh_file& file, Stage_clock& cl
                  {"roughness_level", summary.roughness_level}, {"outliers", double(summary.number_of_outliers)},
                  {"passes", double(summary.number_of_iterations)}};
   if(summary.end == GDP::Denoising_end::no_noise && facts.why_unchanged.empty())
-    facts.why_unchanged = "no noise was found; the roughness of the faces is " + rounded(summary.roughness_level)
-                          + ", which --noise-level takes for noise";
+    facts.why_unchanged = "no noise was found" + (summary.roughness_level > 0
+      ? "; the roughness of the faces is " + rounded(summary.roughness_level) + ", which --noise-level takes for noise" : std::string());
   return code;
 }
 

@@ -181,9 +181,9 @@ std::string counted(std::size_t n, const std::string& one, const std::string& ma
 std::vector<std::string> Survey::remarks(bool seams_are_welded) const
 {
   std::vector<std::string> remarks;
-  if(seam_vertices > 0)
-    remarks.push_back(counted(seam_vertices, "border vertex", "border vertices") + " at the same place as others: "
-                      + (seams_are_welded ? "filtered as one (--no-weld opens such seams)" : "not one, as --no-weld says"));
+  if(seam_vertices > 0 && !seams_are_welded) // else the library says so
+    remarks.push_back(counted(seam_vertices, "border vertex", "border vertices")
+                      + " at the same place as others are not one, as --no-weld says: such seams open");
   if(crowded_edges > 0)
     remarks.push_back(counted(crowded_edges, "edge", "edges") + " with more than two faces, which stay together");
   if(components > 1 && smallest_extent < largest_extent / 10)

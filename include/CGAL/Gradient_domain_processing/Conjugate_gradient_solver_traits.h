@@ -38,7 +38,7 @@ namespace Gradient_domain_processing {
  * A solution is accepted when \f$ \|r\|_B \leq \tau \|b\|_B \f$ for the residual \f$ r \f$ and the right-hand side \f$ b \f$, with
  * \f$ \tau \f$ the tolerance and \f$ B \approx A^{-1} \f$ the preconditioner. This is about the error of the solution in the norm of the
  * energy, relative to the solution, as far as \f$ B \f$ is good. Where the maximum number of iterations does not reach it, functions of
- * this package return `ERROR_NOT_CONVERGED`.
+ * this package return `error_not_converged`.
  *
  * Copies share their state: the object whose copy is passed to a function has the numbers of iterations afterwards.
  *
@@ -142,7 +142,7 @@ public:
 
   void merge_small_fronts() {}
 
-  Error_code analyze(const Eigen::SparseMatrix<double>&) { return OK; }
+  Error_code analyze(const Eigen::SparseMatrix<double>&) { return ok; }
 
   bool has_factor() const { return m_is_factorized && m_claim.is_last(); }
 
@@ -151,21 +151,21 @@ public:
     m_is_factorized = false;
     m_claim.take();
     try { m_is_factorized = m_traits.solver().compute(matrix, go_on); }
-    catch(const std::bad_alloc&) { return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM; }
-    return m_is_factorized ? OK : m_traits.solver().is_cancelled ? ERROR_CANCELLED : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+    catch(const std::bad_alloc&) { return error_cannot_solve_linear_system; }
+    return m_is_factorized ? ok : m_traits.solver().is_cancelled ? error_cancelled : error_cannot_solve_linear_system;
   }
 
   Error_code solve(const Eigen::MatrixXd& right, Eigen::MatrixXd& solution, const std::function<bool()>& go_on = {})
   {
     if(!has_factor())
-      return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+      return error_cannot_solve_linear_system;
     try
     {
       if(m_traits.solver().solve(right, solution, go_on))
-        return OK;
-      return m_traits.solver().is_cancelled ? ERROR_CANCELLED : ERROR_NOT_CONVERGED;
+        return ok;
+      return m_traits.solver().is_cancelled ? error_cancelled : error_not_converged;
     }
-    catch(const std::bad_alloc&) { return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM; }
+    catch(const std::bad_alloc&) { return error_cannot_solve_linear_system; }
   }
 };
 

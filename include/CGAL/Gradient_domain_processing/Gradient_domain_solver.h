@@ -170,7 +170,7 @@ public:
    *   \cgalParamNEnd
    *   \cgalParamNBegin{weld_tolerance}
    *     \cgalParamDescription{joins border vertices that are not further apart than this, relative to the extent of the surface, as the two sides of a texture seam or the corners of an STL file are. They become one degree of freedom; each gets the same change, so that signals that differ at a seam go on doing so.}
-   *     \cgalParamType{`double`, `0` for vertices in the same place}
+   *     \cgalParamType{`double`, `0` for vertices in the same place, negative for none}
    *     \cgalParamDefault{nothing is welded}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{missing_values}

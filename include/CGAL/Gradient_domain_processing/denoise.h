@@ -17,25 +17,27 @@ namespace Gradient_domain_processing {
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * removes noise from the positions of a mesh and keeps its creases, without a parameter to choose. Normals and positions are
- * filtered in turn:
- * - the face normals, a signal on the faces, by a Laplacian of the dual mesh whose weights fall with the distance of
+ * removes noise from the positions of a mesh and keeps its creases, without a parameter to choose:
+ * - outliers, vertices far outside of where their neighbors are at the scale of those, go to where these are, and their input position
+ *   gets no weight;
+ * - the noise is measured, for every component of the mesh alone: white noise by its share in the roughness, and noise that is correlated from
+ *   vertex to vertex, as of depth cameras and label maps, by what a fine smoothing takes away;
+ * - the face normals, a signal on the faces, are filtered by a Laplacian of the dual mesh whose weights fall with the distance of
  *   neighboring normals (Geman and McClure's function; twice a pass). The distance \f$ \sigma \f$ that counts as similar and the
- *   weight \f$ \beta \f$ of the smoothing follow from the noise that is estimated on the input;
- * - the positions by equation 1 of the paper, under the metric of equilateral triangles, with the values of the noisy input and the
- *   target \f$ v = (I - n n^T) \nabla x \f$, the tangential part of the current gradients. So vertices do not slide.
+ *   weight \f$ \beta \f$ of the smoothing follow from the noise; \f$ \beta \f$ grows with the square of its scale;
+ * - the positions are fitted by equation 1 of the paper, under the metric of equilateral triangles, with the values of the noisy input
+ *   and the target \f$ v = (I - n n^T) \nabla x \f$, the tangential part of the current gradients. So vertices do not slide.
  *
  * The passes go on while what they remove looks like noise, 20 times at most; where no flat pieces between creases have come out
  * after 6 or 7 passes and normals have settled, the surface is smooth and they end. After the fifth pass the faces at a border stay
  * as they are. A clean mesh is returned as it is: its roughness is not taken for noise where neighboring vertices stand out
- * together, or lie in the planes of larger facets.
+ * together, or lie in the planes of larger facets. Where any of the parameters below is named for such a mesh, it is obeyed.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, with a vertex point map that can be written
  *
  * \param tm the triangle mesh; its points are moved
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `vertex_is_constrained_map`, `border_condition`,
- *        `sparse_linear_solver`, `concurrency_tag`, `visitor`, `vertex_point_map`, `vertex_index_map` of `Gradient_domain_solver` (a solver
- *        with a state is used for the positions; the normals get one of the same type), and
+ *        `concurrency_tag`, `visitor`, `vertex_point_map`, `vertex_index_map` of `Gradient_domain_solver`, and
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{number_of_iterations}
@@ -48,10 +50,20 @@ namespace Gradient_domain_processing {
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{estimated}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{noise_scale}
+ *     \cgalParamDescription{over how many mean edge lengths the noise is correlated; 1 for white noise; useful: 1 to 9. More smooths further, at the same difference of normals.}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{1 for white noise, 6 where correlated noise is found, 1.4 where neither is and a level or a number of passes is named}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{value_weight}
  *     \cgalParamDescription{how strongly the input positions are kept; useful: 0.02 (smoother, vertices move more) to 0.1}
  *     \cgalParamType{`double`}
- *     \cgalParamDefault{`0.05`}
+ *     \cgalParamDefault{`0.045`, divided by the scale of the noise}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{denoising_summary}
+ *     \cgalParamDescription{what was found and done}
+ *     \cgalParamType{`std::reference_wrapper<Denoising_summary>`}
+ *     \cgalParamDefault{not told}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{restore_volume}
  *     \cgalParamDescription{whether the enclosed volume of every component is restored}
@@ -62,7 +74,8 @@ namespace Gradient_domain_processing {
  *
  * \return `ok`; or what is wrong, and then the mesh is as it was
  *
- * Complexity: a pass costs two factorizations of the normals' system, analyzed once, and four or five back-substitutions.
+ * Complexity: a pass solves for the normals twice and for the positions three times, by conjugate gradients from the last solution, some 5 to 30
+ * steps each; all of it is linear and parallel, and gives the same bits on any number of threads.
  */
 template <class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_mesh<TriangleMesh> >
 Error_code denoise(TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())

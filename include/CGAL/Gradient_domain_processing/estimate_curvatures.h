@@ -33,6 +33,46 @@ struct Principal_curvatures_and_directions
   typename GeomTraits::Vector_3 max_direction; ///< the direction of the larger
 };
 
+namespace internal {
+
+template <class Solver, class VertexCurvatureMap, class NamedParameters>
+Error_code estimate_curvatures(Solver solver, VertexCurvatureMap curvatures, const NamedParameters& np)
+{
+  typedef typename boost::property_traits<VertexCurvatureMap>::value_type Curvature;
+
+  if(solver.error() != ok)
+    return solver.error();
+  auto& filter = solver.arrays();
+  Curvature_options options;
+  if(const Error_code code = solver.checked(read_curvature_options(np, solver.elements(), filter, 0., options)))
+    return code;
+  std::vector<Principal_curvatures> found;
+  if(const Error_code code = filter.estimate_by_jets(options, found))
+    return code;
+
+  typedef decltype(Curvature::min_curvature) FT;
+  typedef decltype(Curvature::min_direction) Vector_3;
+  const Indexed_triangles& mesh = filter.mesh();
+  const auto vector = [](const Vec3& v) { return Vector_3(FT(v[0]), FT(v[1]), FT(v[2])); };
+  std::vector<Curvature> result;
+  for(int row = 0; row < mesh.number_of_surface_vertices(); ++row)
+  {
+    const Principal_curvatures& k = found[mesh.vertex_of(row)];
+    result.push_back(Curvature{FT(k.min_curvature / mesh.unit()), FT(k.max_curvature / mesh.unit()),
+                               vector(k.min_direction), vector(k.max_direction)});
+    if(!std::isfinite(CGAL::to_double(result.back().min_curvature)) || !std::isfinite(CGAL::to_double(result.back().max_curvature)))
+    {
+      filter.culprit.row = row;
+      return solver.checked(error_result_out_of_range);
+    }
+  }
+  for(std::size_t row = 0; row < result.size(); ++row)
+    put(curvatures, solver.elements().vertices[row], result[row]);
+  return ok;
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
@@ -54,42 +94,26 @@ struct Principal_curvatures_and_directions
  *
  * Complexity: proportional to the number of vertices, with TBB in parallel; results do not depend on the number of threads.
  */
-template <class TriangleMesh, class VertexCurvatureMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <class TriangleMesh, class VertexCurvatureMap, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_mesh<TriangleMesh> >
 Error_code estimate_curvatures(const TriangleMesh& tm, VertexCurvatureMap curvatures,
                                const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  typedef typename boost::property_traits<VertexCurvatureMap>::value_type Curvature;
+  return internal::estimate_curvatures(
+    make_gradient_domain_solver(tm, parameters::with(np).curvature_metric_kind(Curvature_metric_kind::EMBEDDING)), curvatures, np);
+}
 
-  auto solver = make_gradient_domain_solver(tm, parameters::with(np).curvature_metric_kind(Curvature_metric_kind::EMBEDDING));
-  if(solver.error() != ok)
-    return solver.error();
-  auto& filter = solver.arrays();
-  internal::Curvature_options options;
-  if(const Error_code code = solver.checked(internal::read_curvature_options(np, solver.elements(), filter, 0., options)))
-    return code;
-  std::vector<internal::Principal_curvatures> found;
-  if(const Error_code code = filter.estimate_by_jets(options, found))
-    return code;
-
-  typedef decltype(Curvature::min_curvature) FT;
-  typedef decltype(Curvature::min_direction) Vector_3;
-  const internal::Indexed_triangles& mesh = filter.mesh();
-  const auto vector = [](const internal::Vec3& v) { return Vector_3(FT(v[0]), FT(v[1]), FT(v[2])); };
-  std::vector<Curvature> result;
-  for(int row = 0; row < mesh.number_of_surface_vertices(); ++row)
-  {
-    const internal::Principal_curvatures& k = found[mesh.vertex_of(row)];
-    result.push_back(Curvature{FT(k.min_curvature / mesh.unit()), FT(k.max_curvature / mesh.unit()),
-                               vector(k.min_direction), vector(k.max_direction)});
-    if(!std::isfinite(CGAL::to_double(result.back().min_curvature)) || !std::isfinite(CGAL::to_double(result.back().max_curvature)))
-    {
-      filter.culprit.row = row;
-      return solver.checked(error_result_out_of_range);
-    }
-  }
-  for(std::size_t row = 0; row < result.size(); ++row)
-    put(curvatures, solver.elements().vertices[row], result[row]);
-  return ok;
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * does so for a soup of points and polygons. The keys of `curvatures` are indices of points, of type `std::size_t`.
+ */
+template <class PointRange, class PolygonRange, class VertexCurvatureMap, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_range<const PointRange>, class = internal::Enable_if_range<const PolygonRange> >
+Error_code estimate_curvatures(const PointRange& points, const PolygonRange& polygons, VertexCurvatureMap curvatures,
+                               const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return internal::estimate_curvatures(
+    make_gradient_domain_solver(points, polygons, parameters::with(np).curvature_metric_kind(Curvature_metric_kind::EMBEDDING)), curvatures, np);
 }
 
 } // namespace Gradient_domain_processing

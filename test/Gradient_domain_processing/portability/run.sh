@@ -34,7 +34,7 @@ chroot_of() {
   [ -e "$work/$suite/ready" ] && return 0
   [ "${PORTABILITY_CHROOT:-0}" = 1 ] && command -v debootstrap > /dev/null && [ "$(id -u)" = 0 ] || return 1
   rm -rf "${work:?}/$suite"
-  debootstrap --variant=minbase --include="$(IFS=,; echo "$*")" "$suite" "$work/$suite" http://deb.debian.org/debian \
+  debootstrap --variant=minbase --include="$(IFS=,; echo "$*")" "$suite" "$work/$suite" \
     > "$work/logs/debootstrap-$suite" 2>&1 && touch "$work/$suite/ready"
 }
 

@@ -40,6 +40,18 @@ public:
   int neighbor(int f, int i) const { return m_neighbors[f][i]; }
   const std::array<int, 3>& neighbors(int f) const { return m_neighbors[f]; }
 
+  // No other triangle has the edge from corner i to the next.
+  bool is_border(const Indexed_triangles& mesh, int f, int i) const
+  {
+    if(m_neighbors[f][i] >= 0)
+      return false;
+    const int v = mesh.triangles[f][i], w = mesh.triangles[f][(i + 1) % 3];
+    int count = 0;
+    for(const int* c = mesh.corners.begin(v); c != mesh.corners.end(v); ++c)
+      count += contains(mesh.triangles[*c / 3], w);
+    return count == 1;
+  }
+
   // -1 where a triangle has to be turned over for its component to be oriented.
   double sign(int f) const { return m_signs.empty() ? 1 : m_signs[f]; }
 

@@ -11,8 +11,9 @@
 #include <CGAL/Gradient_domain_processing/internal/denoising/Face_geometry.h>
 #include <CGAL/Gradient_domain_processing/internal/denoising/constants.h>
 
-#include <array>
+#include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -44,8 +45,13 @@ public:
   template <class Smoothing>
   void operator()(const std::vector<Vec3>& points, const Face_geometry& faces, const Smoothing& smoothing, std::vector<Vec3>& normals)
   {
-    m_system.masses = faces.areas;
-    parallel_for(m_parallel, m_right.size(), [&](std::size_t f) { m_right[f] = faces.areas[f] * faces.normals[f]; });
+    // noise makes triangles larger: the root halves what it adds
+    const double mean_area = std::accumulate(faces.areas.begin(), faces.areas.end(), 0.) / double(faces.areas.size());
+    m_system.masses.resize(faces.areas.size());
+    parallel_for(m_parallel, m_right.size(), [&](std::size_t f) {
+      m_system.masses[f] = std::sqrt(mean_area * faces.areas[f]);
+      m_right[f] = m_system.masses[f] * faces.normals[f];
+    });
     normals = faces.normals;
     m_solution = normals;
     for(int i = 0; i < denoising::normal_updates; ++i)

@@ -120,7 +120,8 @@ private:
           all.push_back(std::abs(m_heights[*u]));
     }
     std::sort(ring.rbegin(), ring.rend());
-    return height > denoising::outlier_by_ring * ring[is_strong ? 2 : 1] && height > denoising::outlier_by_median * median(std::move(all));
+    return height > denoising::outlier_by_ring * ring[is_strong ? 2 : 1]
+        && height > (is_strong ? denoising::strong_by_median : denoising::outlier_by_median) * median(std::move(all));
   }
 
   void find()

@@ -18,6 +18,7 @@
 #include <CGAL/Gradient_domain_processing/visitor.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -71,8 +72,10 @@ public:
     repair_outliers(points);
     estimate(points);
     if(m_noise.level == 0)
-      return OK;
+      return ok;
     prepare_border();
+    if(m_options.border_is_smoothed_as_curve)
+      smooth_border(points);
     m_mean_edge_length = mean_edge_length(points);
     Normal_filter filter_normals(m_mesh, m_dual, m_parallel);
     Position_fit fit_positions(m_mesh, m_rings, m_parallel);
@@ -87,14 +90,14 @@ public:
       before = points;
       const Face_geometry faces(m_mesh, m_dual, points, m_parallel);
       if(!progress.go_on(double(k) / passes))
-        return ERROR_CANCELLED;
+        return error_cancelled;
       filter_normals(points, faces, [&](int f) { return smoothing(k, f); }, m_normals);
       if(k >= denoising::border_passes)
         keep_border_normals(faces);
       for(int i = 0; i < denoising::position_updates; ++i)
       {
         if(!progress.go_on((k + 0.5 + 0.5 * i / denoising::position_updates) / passes))
-          return ERROR_CANCELLED;
+          return error_cancelled;
         fit_positions(m_input, m_normals, points);
       }
       if(!m_options.number_of_iterations && m_reach == 1 && is_at_end(k, before, variation, points))
@@ -106,7 +109,7 @@ public:
         weigh_positions(fit_positions);
       }
     }
-    return OK;
+    return ok;
   }
 
 private:
@@ -178,6 +181,46 @@ private:
     m_is_near_border.resize(m_mesh.triangles.size());
     for(std::size_t f = 0; f < m_is_near_border.size(); ++f)
       m_is_near_border[f] = touches_border(m_mesh, m_mesh.triangles[f]);
+  }
+
+  // Border vertices between two others follow the curve, an implicit smoothing with edges of length one; they and all others of the
+  // border are constrained then.
+  void smooth_border(std::vector<Vec3>& points)
+  {
+    const std::size_t n = points.size();
+    std::vector<std::array<int, 2> > sides(n, {{-1, -1}});
+    std::vector<double> inverse_diagonal(n, 0);
+    for(int f = 0; f < m_mesh.number_of_triangles(); ++f)
+      for(int i = 0; i < 3; ++i)
+        if(m_dual.is_border(m_mesh, f, i))
+          for(int j = 0; j < 2; ++j)
+          {
+            const int v = m_mesh.triangles[f][(i + j) % 3];
+            sides[v][sides[v][0] < 0 ? 0 : 1] = m_mesh.triangles[f][(i + 1 - j) % 3];
+          }
+    const double weight = denoising::border_curve_weight;
+    std::vector<Vec3> right(n, Vec3(0, 0, 0)), change = right;
+    const auto differences = [&](const std::vector<Vec3>& p, int v) {
+      return Vec3(p[v] - p[sides[v][0]] + p[v] - p[sides[v][1]]);
+    };
+    for(int v = 0; v < int(n); ++v)
+      if(sides[v][1] >= 0 && !m_is_constrained[v])
+      {
+        right[v] = -differences(points, v);
+        inverse_diagonal[v] = 1 / (weight + 2);
+      }
+    Conjugate_gradients<Vec3> solve(m_parallel);
+    solve([&](const std::vector<Vec3>& p, int v) {
+      return inverse_diagonal[v] == 0 ? Vec3(0, 0, 0) : Vec3(weight * p[v] + differences(p, v));
+    }, inverse_diagonal, right, denoising::normal_tolerance, denoising::most_solver_steps, change);
+    for(std::size_t v = 0; v < n; ++v)
+    {
+      if(inverse_diagonal[v] != 0)
+        points[v] += change[v];
+      if(m_mesh.is_on_border[v])
+        m_is_constrained[v] = 1;
+    }
+    m_input = points;
   }
 
   // At the border there is less to tell shape from noise by, and further passes would wear it off: its faces stay.
@@ -340,7 +383,7 @@ inline Error_code denoise_parts(const Indexed_triangles& mesh, const std::vector
       points[vertices[i]] = moved[i];
     merge(of_part, summary);
   }
-  return OK;
+  return ok;
 }
 
 // Constrained vertices stay where they are, to the bit. Every component of the mesh has noise of its own. On an error, `points` are
@@ -350,11 +393,11 @@ inline Error_code denoise_points(const Indexed_triangles& mesh, const std::vecto
 {
   summary = Denoising_summary();
   if(!options.are_valid())
-    return ERROR_INVALID_PARAMETER;
+    return error_invalid_parameter;
   if(mesh.triangles.empty())
-    return OK;
+    return ok;
   if(!progress.go_on(0))
-    return ERROR_CANCELLED;
+    return error_cancelled;
   Stage_scope stage(progress, Stage::SOLVE);
   const std::vector<std::vector<int> > parts = parts_to_denoise(mesh);
   if(parts.size() > 1)

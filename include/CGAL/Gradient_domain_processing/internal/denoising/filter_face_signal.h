@@ -44,7 +44,7 @@ inline Error_code filter_face_signal(const Dual_graph& dual, Face_energy energy,
   for(Eigen::Index channel = 0; channel < signal.cols(); ++channel)
   {
     if(!progress.go_on(double(channel) / double(signal.cols())))
-      return ERROR_CANCELLED;
+      return error_cancelled;
     parallel_for(parallel, n, [&](std::size_t f) {
       double flow = 0;
       for(int i = 0; i < 3; ++i)
@@ -57,15 +57,15 @@ inline Error_code filter_face_signal(const Dual_graph& dual, Face_energy energy,
       change[f] = 0;
     });
     if(!system.solve(right, tolerance, most_steps, change))
-      return ERROR_NOT_CONVERGED;
+      return error_not_converged;
     for(std::size_t f = 0; f < n; ++f)
     {
       if(!std::isfinite(change[f]))
-        return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+        return error_cannot_solve_linear_system;
       signal(f, channel) += change[f];
     }
   }
-  return OK;
+  return ok;
 }
 
 } // namespace internal

@@ -87,8 +87,8 @@ Reading reading_parameters(const NamedParameters& np)
   using namespace CGAL::internal_np;
   Reading reading;
   reading.parallel = is_parallel<Parameter_type<concurrency_tag_t, NamedParameters, Parallel_if_available_tag> >();
-  reading.welds = Has_parameter<weld_tolerance_t, NamedParameters>::value;
-  reading.weld_tolerance = parameter(np, weld_tolerance, 0.);
+  reading.weld_tolerance = parameter(np, weld_tolerance, -1.);
+  reading.welds = reading.weld_tolerance >= 0;
   return reading;
 }
 

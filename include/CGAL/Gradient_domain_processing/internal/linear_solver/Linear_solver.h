@@ -56,7 +56,7 @@ public:
   // Before the analysis, where the graph is one of degree three.
   void merge_small_fronts() {}
 
-  Error_code analyze(const Eigen::SparseMatrix<double>&) { return OK; }
+  Error_code analyze(const Eigen::SparseMatrix<double>&) { return ok; }
 
   bool has_factor() const { return m_is_factorized && m_claim.is_last(); }
 
@@ -65,27 +65,27 @@ public:
   {
     m_is_factorized = false;
     if(go_on && !go_on())
-      return ERROR_CANCELLED;
+      return error_cancelled;
     m_claim.take();
     m_matrix = std::make_unique<Matrix>(int(matrix.rows()));
     for(int j = 0; j < matrix.outerSize(); ++j)
       for(Eigen::SparseMatrix<double>::InnerIterator it(matrix, j); it; ++it)
         m_matrix->set_coef(int(it.row()), int(it.col()), NT(it.value()), true);
     m_is_factorized = m_traits.factor(*m_matrix, m_denominator);
-    return m_is_factorized ? OK : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+    return m_is_factorized ? ok : error_cannot_solve_linear_system;
   }
 
   // `solution` may be `right`. Without a factor, it is an error.
   Error_code solve(const Eigen::MatrixXd& right, Eigen::MatrixXd& solution, const std::function<bool()>& go_on = {})
   {
     if(!has_factor())
-      return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+      return error_cannot_solve_linear_system;
     const int n = int(right.rows());
     solution.resize(n, right.cols());
     for(int channel = 0; channel < int(right.cols()); ++channel)
     {
       if(go_on && !go_on())
-        return ERROR_CANCELLED;
+        return error_cancelled;
       Vector b(n), x(n);
       for(int i = 0; i < n; ++i)
       {
@@ -93,11 +93,11 @@ public:
         x[i] = NT(0);
       }
       if(!m_traits.linear_solver(b, x))
-        return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+        return error_cannot_solve_linear_system;
       for(int i = 0; i < n; ++i)
         solution(i, channel) = to_double(x[i] / m_denominator);
     }
-    return OK;
+    return ok;
   }
 
 private:
@@ -140,10 +140,10 @@ public:
         Handling::release_workspace(m_traits.solver());
         return !Handling::has_failed(m_traits.solver());
       });
-      m_is_analyzed = code == OK;
+      m_is_analyzed = code == ok;
       return code;
     }
-    return OK;
+    return ok;
   }
 
   bool has_factor() const { return m_is_factorized && m_claim.is_last(); }
@@ -152,7 +152,7 @@ public:
   {
     m_is_factorized = false;
     if(go_on && !go_on())
-      return ERROR_CANCELLED;
+      return error_cancelled;
     if(!is_iterative && !(m_is_analyzed && m_claim.is_last()))
       if(const Error_code code = analyze(matrix))
         return code;
@@ -173,7 +173,7 @@ public:
       }
       return m_traits.solver().info() == Eigen::Success;
     });
-    m_is_factorized = code == OK;
+    m_is_factorized = code == ok;
     return code;
   }
 
@@ -181,9 +181,9 @@ public:
   Error_code solve(const Eigen::MatrixXd& right, Eigen::MatrixXd& solution, const std::function<bool()>& go_on = {})
   {
     if(!has_factor())
-      return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+      return error_cannot_solve_linear_system;
     if(go_on && !go_on())
-      return ERROR_CANCELLED;
+      return error_cancelled;
     const Error_code code = guarded([&] {
       if(&right == &solution && !is_cholesky)
         solution = m_traits.solver().solve(Eigen::MatrixXd(right)).eval();
@@ -191,7 +191,7 @@ public:
         solution = m_traits.solver().solve(right);
       return m_traits.solver().info() == Eigen::Success;
     });
-    return code != OK && is_iterative ? ERROR_NOT_CONVERGED : code;
+    return code != ok && is_iterative ? error_not_converged : code;
   }
 
 private:
@@ -200,8 +200,8 @@ private:
   {
     const typename Handling::Work_scope scope(m_traits.solver(), m_merges_small_fronts);
     (void)scope;
-    try { return work() ? OK : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM; }
-    catch(const std::bad_alloc&) { return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM; }
+    try { return work() ? ok : error_cannot_solve_linear_system; }
+    catch(const std::bad_alloc&) { return error_cannot_solve_linear_system; }
   }
 };
 

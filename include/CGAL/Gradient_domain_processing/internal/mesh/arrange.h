@@ -52,21 +52,26 @@ std::vector<char> read_points(const Vertices& vertices, const Get_point& point, 
   return is_bad;
 }
 
-// Triangles or polygons are given by rows. Virtual vertices, welded seams, order in memory, corners.
+template <class Faces>
+void index_triangles(bool parallel, Faces& faces, Indexed_triangles& mesh)
+{
+  sort_triangles(parallel, faces, mesh);
+  mesh.index_corners();
+  mark_border(mesh, parallel);
+}
+
+// Triangles or polygons are given by rows. Virtual vertices, order in memory, corners, welded seams.
 template <class Faces>
 void arrange(Reading& reading, Faces& faces, const Lists& polygons, Indexed_triangles& mesh)
 {
   if(!polygons.offsets.empty())
     fan_polygons(polygons, mesh);
-  if(reading.welds)
-  {
-    mesh.index_corners();
-    mark_border(mesh, reading.parallel);
-    reading.number_of_welded_vertices = weld_border(reading.weld_tolerance, mesh);
-  }
-  sort_triangles(reading.parallel, faces, mesh);
-  mesh.index_corners();
-  mark_border(mesh, reading.parallel);
+  index_triangles(reading.parallel, faces, mesh);
+  if(!reading.welds)
+    return;
+  reading.number_of_welded_vertices = weld_border(reading.weld_tolerance, mesh);
+  if(reading.number_of_welded_vertices > 0)
+    index_triangles(reading.parallel, faces, mesh);
 }
 
 // Whether a face uses a vertex whose point is none.

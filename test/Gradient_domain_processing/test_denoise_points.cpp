@@ -1,0 +1,406 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Denoising of arrays: pairs of every kind of noise with bounds, equivariance, threads, and knobs that are obeyed.
+
+#include "test_shapes.h"
+#include "test_utils.h"
+
+#include <CGAL/Gradient_domain_processing/internal/denoising/denoise_points.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace GDP = CGAL::Gradient_domain_processing;
+using namespace gdp_test;
+
+namespace {
+
+typedef std::vector<Vec> Points;
+
+GDP::internal::Indexed_triangles indexed(const Shape& shape)
+{
+  GDP::internal::Indexed_triangles mesh;
+  mesh.points = shape.points;
+  mesh.triangles = shape.triangles;
+  mesh.index_corners();
+  mesh.is_on_border.assign(shape.points.size(), 0);
+  std::map<std::pair<int, int>, int> uses;
+  for(const auto& t : shape.triangles)
+    for(int i = 0; i < 3; ++i)
+      ++uses[std::minmax(t[i], t[(i + 1) % 3])];
+  for(const auto& use : uses)
+    if(use.second == 1)
+      mesh.is_on_border[use.first.first] = mesh.is_on_border[use.first.second] = 1;
+  return mesh;
+}
+
+struct Result
+{
+  Points points;
+  GDP::Denoising_summary summary;
+};
+
+Result denoised(const Shape& shape, const GDP::internal::Denoising_options& options = {}, bool parallel = true,
+                std::vector<char> is_constrained = {})
+{
+  const auto mesh = indexed(shape);
+  is_constrained.resize(shape.points.size(), 0);
+  GDP::internal::Progress progress;
+  Result result;
+  result.points = shape.points;
+  GDP_CHECK(GDP::internal::denoise_points(mesh, is_constrained, options, parallel, progress, result.points, result.summary) == GDP::OK);
+  return result;
+}
+
+Points normals(const Shape& shape, const Points& points)
+{
+  Points result;
+  for(const auto& t : shape.triangles)
+    result.push_back((points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).normalized());
+  return result;
+}
+
+double angle(const Shape& clean, const Points& points) // mean, of face normals, in degrees
+{
+  const Points a = normals(clean, clean.points), b = normals(clean, points);
+  double sum = 0;
+  for(std::size_t f = 0; f < a.size(); ++f)
+    sum += std::atan2(a[f].cross(b[f]).norm(), a[f].dot(b[f]));
+  return sum / double(a.size()) * 180 / pi;
+}
+
+double edge_length(const Shape& shape)
+{
+  double sum = 0;
+  for(const auto& t : shape.triangles)
+    for(int i = 0; i < 3; ++i)
+      sum += (shape.points[t[i]] - shape.points[t[(i + 1) % 3]]).norm();
+  return sum / (3. * double(shape.triangles.size()));
+}
+
+double largest_shift(const Points& a, const Points& b)
+{
+  double largest = 0;
+  for(std::size_t v = 0; v < a.size(); ++v)
+    largest = (std::max)(largest, (a[v] - b[v]).norm());
+  return largest;
+}
+
+Points vertex_normals(const Shape& shape) { return indexed(shape).vertex_normals(false); }
+
+// Along the normals, of a standard deviation in mean edge lengths, smoothed so many times over the neighbors before.
+Shape with_noise(const Shape& clean, double amount, int smoothings = 0)
+{
+  const auto rings = indexed(clean).one_rings(false);
+  Random random(11);
+  std::vector<double> heights;
+  for(std::size_t v = 0; v < clean.points.size(); ++v)
+  {
+    double sum = 0;
+    for(int i = 0; i < 12; ++i)
+      sum += random() / 2;
+    heights.push_back(sum);
+  }
+  for(int k = 0; k < smoothings; ++k)
+  {
+    std::vector<double> next = heights;
+    for(int v = 0; v < rings.size(); ++v)
+      for(const int* w = rings.begin(v); w != rings.end(v); ++w)
+        next[v] += heights[*w] / rings.size(v);
+    for(std::size_t v = 0; v < next.size(); ++v)
+      heights[v] = next[v] / 2;
+  }
+  double squares = 0;
+  for(double h : heights)
+    squares += h * h / double(heights.size());
+  Shape noisy = clean;
+  const Points n = vertex_normals(clean);
+  for(std::size_t v = 0; v < heights.size(); ++v)
+    noisy.points[v] += amount * edge_length(clean) * heights[v] / std::sqrt(squares) * n[v];
+  return noisy;
+}
+
+Shape box() { return cubes({{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}}, 10); }
+
+// Within so many degrees, by default, and nothing flipped.
+Result removes(const char* name, const Shape& clean, const Shape& noisy, double bound)
+{
+  const Result result = denoised(noisy);
+  std::cout << name << ": " << angle(clean, noisy.points) << " degrees, denoised " << angle(clean, result.points) << std::endl;
+  GDP_CHECK(angle(clean, result.points) < bound);
+  const Points a = normals(clean, clean.points), b = normals(clean, result.points), c = normals(clean, noisy.points);
+  int flipped = 0;
+  for(std::size_t f = 0; f < a.size(); ++f)
+    flipped += (a[f].dot(b[f]) < 0) - (a[f].dot(c[f]) < 0);
+  GDP_CHECK(flipped <= 0);
+  return result;
+}
+
+void removes_noise_of_every_kind()
+{
+  const Shape ball = sphere(40);
+  GDP_CHECK(removes("white, creased", box(), with_noise(box(), 0.3), 3.).summary.noise_scale == 0);
+  GDP_CHECK(removes("white, smooth", ball, with_noise(ball, 0.2), 2.5).summary.noise_scale == 0);
+  GDP_CHECK(removes("white, open", jittered_square(30), with_noise(jittered_square(30), 0.3), 6.).summary.noise_level > 0.3);
+  GDP_CHECK(removes("correlated, creased", box(), with_noise(box(), 0.25, 3), 3.).summary.noise_scale > 1);
+  GDP_CHECK(removes("correlated, smooth", ball, with_noise(ball, 0.25, 3), 3.).summary.noise_scale > 1);
+}
+
+// Steps along one axis are told from shape by their scale, which is named.
+void removes_stairs()
+{
+  const Shape clean = sphere(40);
+  const double step = 1.7 * edge_length(clean);
+  const Shape noisy = clean.mapped([&](const Vec& p) { return Vec(p[0], p[1], step * std::round(p[2] / step)); });
+  GDP::internal::Denoising_options options;
+  options.noise_scale = 6;
+  const Points result = denoised(noisy, options).points;
+  std::cout << "stairs: " << angle(clean, noisy.points) << " degrees, denoised " << angle(clean, result) << std::endl;
+  GDP_CHECK(angle(clean, result) < 5);
+}
+
+void removes_spikes()
+{
+  const Shape clean = box();
+  const double edge = edge_length(clean);
+  Shape noisy = with_noise(clean, 0.05);
+  const Points n = vertex_normals(clean);
+  int spikes = 0;
+  for(std::size_t v = 17; v < clean.points.size(); v += 97, ++spikes)
+    noisy.points[v] += double(2 + v % 3) * edge * n[v];
+  const Result result = denoised(noisy);
+  std::cout << "spikes: " << largest_shift(clean.points, noisy.points) / edge << " edges, denoised "
+            << largest_shift(clean.points, result.points) / edge << std::endl;
+  GDP_CHECK(largest_shift(clean.points, result.points) < edge);
+  std::cout << result.summary.number_of_outliers << " outliers of " << spikes << std::endl;
+  GDP_CHECK(int(result.summary.number_of_outliers) >= spikes - 1 && int(result.summary.number_of_outliers) <= 2 * spikes);
+}
+
+void keeps_components_apart()
+{
+  const Shape ball = sphere(24), table = jittered_square(24).scaled(4).moved(Vec(-2, -2, -3));
+  const Shape noisy = with_noise(ball, 0.25);
+  const Result alone = denoised(noisy), both = denoised(noisy + table);
+  for(std::size_t v = 0; v < both.points.size(); ++v)
+    GDP_CHECK(both.points[v] == (v < ball.points.size() ? alone.points[v] : table.points[v - ball.points.size()]));
+  GDP_CHECK(both.summary.noise_level == alone.summary.noise_level);
+  GDP_CHECK(both.summary.number_of_iterations == alone.summary.number_of_iterations);
+}
+
+void leaves_clean_meshes()
+{
+  for(const Shape& clean : {box(), sphere(24), jittered_square(20), ellipsoid(10, Vec(1, 0.5, 0.25))})
+  {
+    const Result result = denoised(clean);
+    GDP_CHECK(result.points == clean.points);
+    GDP_CHECK(result.summary.end == GDP::Denoising_end::no_noise && result.summary.number_of_iterations == 0);
+    GDP_CHECK(result.summary.number_of_outliers == 0);
+  }
+}
+
+void is_equivariant(const Shape& noisy, const GDP::internal::Denoising_options& options, bool border_is_fixed)
+{
+  const auto mesh = indexed(noisy);
+  const std::vector<char> is_constrained = border_is_fixed ? mesh.is_on_border : std::vector<char>(noisy.points.size(), 0);
+  Eigen::Matrix3d turn;
+  turn << 2, -1, 2, 2, 2, -1, -1, 2, 2; // three times a rotation
+  const auto map = [&](const Vec& p) { return Vec(1.9 * (turn * p) / 3 + Vec(3, -2, 1)); };
+  const Points expected = Shape{denoised(noisy, options, true, is_constrained).points, {}}.mapped(map).points;
+  const Points result = denoised(noisy.mapped(map), options, true, is_constrained).points;
+  const double moved = largest_shift(noisy.mapped(map).points, expected);
+  GDP_CHECK(moved > 1e-3);
+  GDP_CHECK(largest_shift(expected, result) < 1e-6 * moved);
+}
+
+void is_equivariant_with_every_border()
+{
+  const Shape noisy = with_noise(jittered_square(16), 0.3);
+  GDP::internal::Denoising_options options;
+  is_equivariant(noisy, options, false);
+  is_equivariant(noisy, options, true);
+  options.border_is_smoothed_as_curve = true;
+  is_equivariant(noisy, options, false);
+}
+
+// A border with a zigzag in the plane.
+void smooths_borders_as_curves()
+{
+  Shape shape = square(20);
+  for(Vec& p : shape.points)
+    if(p[1] == 0)
+      p[1] = std::lround(p[0] * 20) % 2 ? 0.015 : -0.015;
+  shape = with_noise(shape, 0.2);
+  GDP::internal::Denoising_options options;
+  options.border_is_smoothed_as_curve = true;
+  const Points result = denoised(shape, options).points;
+  double before = 0, after = 0;
+  for(std::size_t v = 0; v < result.size(); ++v)
+    if(std::abs(shape.points[v][1]) < 0.02 && shape.points[v][0] > 0.2 && shape.points[v][0] < 0.8)
+    {
+      before += std::abs(shape.points[v][1]);
+      after += std::abs(result[v][1]);
+    }
+  std::cout << "zigzag " << before << ", after " << after << std::endl;
+  GDP_CHECK(before > 0.1 && after < 0.35 * before);
+}
+
+void obeys_knobs()
+{
+  const Shape clean = sphere(24), noisy = with_noise(clean, 0.2);
+  GDP::internal::Denoising_options options;
+  for(int passes : {0, 1, 3, 17})
+  {
+    options.number_of_iterations = passes;
+    for(const Shape& shape : {clean, noisy})
+    {
+      const Result result = denoised(shape, options);
+      GDP_CHECK(int(result.summary.number_of_iterations) == passes);
+      GDP_CHECK(result.summary.end == GDP::Denoising_end::named_passes);
+      GDP_CHECK((result.points == shape.points) == (passes == 0));
+    }
+  }
+  options = {};
+  options.noise_level = 0.37;
+  GDP_CHECK(denoised(clean, options).summary.noise_level == 0.37);
+  GDP_CHECK(denoised(clean, options).points != clean.points);
+  options.noise_level = 0;
+  GDP_CHECK(denoised(noisy, options).points == noisy.points);
+  options = {};
+  options.noise_scale = 3;
+  GDP_CHECK(denoised(noisy, options).summary.noise_scale == 3);
+  options = {};
+  options.value_weight = 1;
+  const double near = largest_shift(denoised(noisy, options).points, noisy.points);
+  options.value_weight = 0.02;
+  GDP_CHECK(near < 0.7 * largest_shift(denoised(noisy, options).points, noisy.points));
+}
+
+void refuses_invalid_options()
+{
+  typedef GDP::internal::Denoising_options Options;
+  const Shape noisy = with_noise(sphere(12), 0.2);
+  const auto mesh = indexed(noisy);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Options> invalid(6);
+  invalid[0].number_of_iterations = -1;
+  invalid[1].noise_level = -1;
+  invalid[2].noise_level = nan;
+  invalid[3].noise_scale = -0.5;
+  invalid[4].value_weight = 0;
+  invalid[5].value_weight = nan;
+  for(const Options& options : invalid)
+  {
+    Points points = noisy.points;
+    GDP::Denoising_summary summary;
+    GDP::internal::Progress progress;
+    const std::vector<char> free(points.size(), 0);
+    GDP_CHECK(GDP::internal::denoise_points(mesh, free, options, true, progress, points, summary) == GDP::ERROR_INVALID_PARAMETER);
+    GDP_CHECK(points == noisy.points);
+  }
+}
+
+void keeps_constrained_vertices()
+{
+  const Shape noisy = with_noise(box(), 0.3);
+  std::vector<char> is_constrained(noisy.points.size(), 0);
+  for(std::size_t v = 0; v < is_constrained.size(); v += 5)
+    is_constrained[v] = 1;
+  Shape spiky = noisy;
+  spiky.points[5 * 40] += Vec(0.4, 0.4, 0.4);
+  const Points result = denoised(spiky, {}, true, is_constrained).points;
+  int moved = 0;
+  for(std::size_t v = 0; v < result.size(); ++v)
+  {
+    GDP_CHECK(!is_constrained[v] || result[v] == spiky.points[v]);
+    moved += result[v] != spiky.points[v];
+  }
+  GDP_CHECK(moved > int(result.size()) / 2);
+}
+
+// Triangles turned over, and three of them at an edge.
+void takes_soups()
+{
+  const Shape clean = jittered_square(24), noisy = with_noise(clean, 0.3);
+  Shape turned = noisy;
+  for(std::size_t f = 0; f < turned.triangles.size(); f += 3)
+    std::swap(turned.triangles[f][0], turned.triangles[f][1]);
+  const Points expected = denoised(noisy).points, result = denoised(turned).points;
+  GDP_CHECK(largest_shift(expected, noisy.points) > 1e-3);
+  GDP_CHECK(largest_shift(expected, result) < 0.05 * largest_shift(expected, noisy.points));
+
+  Shape fins = noisy;
+  const int apex = int(fins.points.size());
+  fins.points.push_back(Vec(0.5, 0.5, 0.3));
+  fins.triangles.push_back({{fins.triangles[500][0], fins.triangles[500][1], apex}});
+  GDP::internal::Denoising_options options;
+  options.number_of_iterations = 5;
+  const Points moved = denoised(fins, options).points;
+  for(const Vec& p : moved)
+    GDP_CHECK(p.allFinite());
+  GDP_CHECK(moved != fins.points);
+}
+
+void does_not_depend_on_threads()
+{
+  const Shape noisy = with_noise(sphere(48), 0.2);
+  GDP_CHECK(denoised(noisy, {}, true).points == denoised(noisy, {}, false).points);
+}
+
+struct Cancelling : GDP::internal::Progress
+{
+  int left;
+  double last = 0;
+  bool is_increasing = true;
+  explicit Cancelling(int calls) : left(calls) {}
+  bool go_on(double done) override
+  {
+    is_increasing = is_increasing && done >= last && done <= 1;
+    last = done;
+    return --left > 0;
+  }
+};
+
+void can_be_cancelled()
+{
+  const Shape noisy = with_noise(sphere(24), 0.2);
+  const auto mesh = indexed(noisy);
+  for(int calls : {1, 2, 9, 1000})
+  {
+    Points points = noisy.points;
+    GDP::Denoising_summary summary;
+    Cancelling progress(calls);
+    const std::vector<char> free(points.size(), 0);
+    const int code = GDP::internal::denoise_points(mesh, free, {}, true, progress, points, summary);
+    GDP_CHECK(code == (calls < 1000 ? GDP::ERROR_CANCELLED : GDP::OK));
+    GDP_CHECK(progress.is_increasing);
+  }
+}
+
+} // namespace
+
+int main()
+{
+  removes_noise_of_every_kind();
+  removes_stairs();
+  removes_spikes();
+  keeps_components_apart();
+  leaves_clean_meshes();
+  is_equivariant_with_every_border();
+  smooths_borders_as_curves();
+  obeys_knobs();
+  refuses_invalid_options();
+  keeps_constrained_vertices();
+  takes_soups();
+  does_not_depend_on_threads();
+  can_be_cancelled();
+  return GDP_TEST_RESULT();
+}
