@@ -22,7 +22,7 @@ class CurvatureStretch
 {
 public:
   /// returns the stretches \f$ (s_1, s_2) \f$ of squared length along the two principal directions: 1 leaves a direction as it is, more
-  /// lets less diffusion pass along it. Both must be positive and finite, else the caller gets `ERROR_INVALID_METRIC`.
+  /// lets less diffusion pass along it. Both must be positive and finite, else the caller gets `error_invalid_metric`.
   ///
   /// \param k1 the smaller principal curvature, in 1 / unit of length of the mesh, positive where the surface is convex
   /// \param k2 the larger one

@@ -225,7 +225,9 @@ public:
     });
   }
 
+  /// takes over what another solver has prepared.
   Gradient_domain_solver(Gradient_domain_solver&&) = default;
+  /// takes over what another solver has prepared.
   Gradient_domain_solver& operator=(Gradient_domain_solver&&) = default;
 
   /// @}
