@@ -53,7 +53,7 @@ Metrics random_metrics(const Arrays& arrays, double largest_stretch)
   return metrics;
 }
 
-// Of libigl's curved_hessian_energy(): see data/README.md.
+// Of libigl's curved_hessian_energy(): see data/curved_hessian_libigl.md.
 void test_against_libigl()
 {
   for(const std::string name : {"box", "patch", "components"})
