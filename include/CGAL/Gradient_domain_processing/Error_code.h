@@ -30,7 +30,7 @@ enum Error_code
   error_invalid_weight,             ///< A weight is negative, NaN or infinite.
   error_invalid_metric,             ///< A metric tensor is not symmetric positive definite.
   error_invalid_parameter,          ///< Another parameter is out of its range.
-  error_invalid_region,             ///< A face of the region is none of the mesh: removed, null or out of range.
+  error_invalid_region,             ///< A face or vertex of the region is none of the mesh: removed, null or out of range.
   error_invalid_index,              ///< A vertex index of a face is out of range, or two vertices have the same index.
   error_unconstrained,              ///< The value weight is zero on a component (of the faces with a gradient weight) without a constrained vertex: the solution is not unique.
   error_no_volume,                  ///< Restoring the volume was asked for, but a component is open, has a constraint, or has collapsed.
@@ -113,7 +113,7 @@ inline const char* get_error_message(int code)
     case error_invalid_weight: return "A weight is negative, NaN or infinite";
     case error_invalid_metric: return "A metric tensor is not symmetric positive definite";
     case error_invalid_parameter: return "A parameter is out of its range";
-    case error_invalid_region: return "A face of the region is none of the mesh";
+    case error_invalid_region: return "A face or vertex of the region is none of the mesh";
     case error_invalid_index: return "A vertex index is out of range";
     case error_unconstrained: return "The value weight is zero on a component without a constrained vertex";
     case error_no_volume: return "The volume of an open, constrained or collapsed component cannot be restored";

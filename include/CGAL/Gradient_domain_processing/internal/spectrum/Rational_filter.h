@@ -1,0 +1,137 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_SPECTRUM_RATIONAL_FILTER_H
+#define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_SPECTRUM_RATIONAL_FILTER_H
+
+#include <CGAL/Gradient_domain_processing/Error_code.h>
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/Cholesky_factor.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Gradient_domain_processing {
+namespace internal {
+
+// A transfer function as a sum of partial fractions, so that a signal is filtered without any harmonics, by one positive definite
+// system a fraction. Those of second degree have a pair of complex poles; with S M^-1 S in the matrix they stay real.
+class Rational_filter
+{
+  // weight * (constant - slope z) / (z^2 + 2 shift z + 1), z = mu / cut_off; with first degree, weight / (z + 1)
+  struct Fraction
+  {
+    double cut_off, weight, slope, shift;
+    bool has_second_degree;
+  };
+
+  double m_constant = 0;
+  std::vector<Fraction> m_fractions;
+
+public:
+  // 1 / (1 + (mu / cut_off)^order), a half at the cut-off: what Butterworth filters are. At mu = q cut_off, q < 1, it is within q^order
+  // of one, and at mu = cut_off / q within q^order of zero.
+  static Rational_filter low_pass(double cut_off, int order)
+  {
+    Rational_filter filter;
+    filter.add_low_pass(cut_off, order, 1);
+    return filter;
+  }
+
+  static Rational_filter high_pass(double cut_off, int order)
+  {
+    Rational_filter filter;
+    filter.m_constant = 1;
+    filter.add_low_pass(cut_off, order, -1);
+    return filter;
+  }
+
+  // What is between the two cut-offs.
+  static Rational_filter band_pass(double low, double high, int order)
+  {
+    Rational_filter filter;
+    filter.add_low_pass(high, order, 1);
+    filter.add_low_pass(low, order, -1);
+    return filter;
+  }
+
+  static Rational_filter band_stop(double low, double high, int order)
+  {
+    Rational_filter filter;
+    filter.m_constant = 1;
+    filter.add_low_pass(high, order, -1);
+    filter.add_low_pass(low, order, 1);
+    return filter;
+  }
+
+  // The transfer function, exactly.
+  double operator()(double mu) const
+  {
+    double sum = m_constant;
+    for(const Fraction& fraction : m_fractions)
+    {
+      const double z = mu / fraction.cut_off;
+      sum += fraction.has_second_degree ? fraction.weight * (1 - fraction.slope * z) / (z * z + 2 * fraction.shift * z + 1)
+                                        : fraction.weight / (z + 1);
+    }
+    return sum;
+  }
+
+  // Filters a signal by the eigenvalues mu of (S, M), with a diagonal M, all of it positive; `bilaplacian` is S M^-1 S.
+  Error_code apply(const Eigen::SparseMatrix<double>& stiffness, const Eigen::VectorXd& masses,
+                   const Eigen::SparseMatrix<double>& bilaplacian, Eigen::MatrixXd& signal) const
+  {
+    Eigen::SparseMatrix<double> mass(masses.size(), masses.size());
+    mass.reserve(Eigen::VectorXi::Constant(masses.size(), 1));
+    for(int i = 0; i < int(masses.size()); ++i)
+      mass.insert(i, i) = masses[i];
+    mass.makeCompressed();
+    const Eigen::MatrixXd weighted = mass * signal, slopes = stiffness * signal;
+    Eigen::MatrixXd sum = m_constant * signal;
+    for(const Fraction& fraction : m_fractions)
+    {
+      const double c = fraction.cut_off;
+      Cholesky_factor factor;
+      Eigen::MatrixXd right = fraction.weight * weighted;
+      Eigen::SparseMatrix<double> matrix = mass + stiffness / c;
+      if(fraction.has_second_degree)
+      {
+        matrix = mass + (2 * fraction.shift / c) * stiffness + bilaplacian / (c * c);
+        right -= fraction.weight * fraction.slope / c * slopes;
+      }
+      if(const Error_code code = factor.factorize(matrix))
+        return code;
+      sum += factor.solve(right);
+    }
+    if(!sum.allFinite())
+      return error_cannot_solve_linear_system;
+    signal.swap(sum);
+    return ok;
+  }
+
+private:
+  // The poles of 1 / (1 + z^n) are the n-th roots of -1, in pairs but for -1 itself.
+  void add_low_pass(double cut_off, int order, double sign)
+  {
+    const double pi = 4 * std::atan(1.);
+    for(int k = 0; 2 * k + 1 < order; ++k)
+    {
+      const double cosine = std::cos(pi * (2 * k + 1) / order);
+      m_fractions.push_back({cut_off, 2 * sign / order, cosine, -cosine, true});
+    }
+    if(order % 2 == 1)
+      m_fractions.push_back({cut_off, sign / order, 0, 0, false});
+  }
+};
+
+} // namespace internal
+} // namespace Gradient_domain_processing
+} // namespace CGAL
+
+#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_SPECTRUM_RATIONAL_FILTER_H

@@ -1,0 +1,176 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Eigenpairs and transfer functions, on arrays.
+
+#include "test_arrays.h"
+
+#include <CGAL/Gradient_domain_processing/internal/higher_order/constrained_minimum.h>
+#include <CGAL/Gradient_domain_processing/internal/higher_order/hessian_energy.h>
+#include <CGAL/Gradient_domain_processing/internal/higher_order/modified_dirichlet.h>
+#include <CGAL/Gradient_domain_processing/internal/spectrum/Rational_filter.h>
+#include <CGAL/Gradient_domain_processing/internal/spectrum/eigenpairs.h>
+#include <CGAL/Gradient_domain_processing/internal/spectrum/filter_by_harmonics.h>
+
+#include <vector>
+
+using namespace gdp_test;
+using namespace GDP::internal;
+
+namespace {
+
+Sparse stiffness_matrix(const Arrays& arrays)
+{
+  return modified_dirichlet(arrays, Metrics(), std::vector<Vec3>(arrays.points.size(), Vec3(0, 0, 1)), true);
+}
+
+Eigen::VectorXd masses_of(const Arrays& arrays)
+{
+  const std::vector<double> masses = lumped_masses(arrays, Metrics(), true);
+  return Eigen::Map<const Eigen::VectorXd>(masses.data(), Eigen::Index(masses.size()));
+}
+
+Sparse diagonal(const Eigen::VectorXd& values)
+{
+  Sparse matrix(values.size(), values.size());
+  for(int i = 0; i < values.size(); ++i)
+    matrix.insert(i, i) = values[i];
+  matrix.makeCompressed();
+  return matrix;
+}
+
+void check_pairs(const Sparse& a, const Sparse& b, const Eigenpairs& pairs, double tolerance)
+{
+  const Eigen::MatrixXd residual = a * pairs.vectors - b * pairs.vectors * pairs.values.asDiagonal();
+  GDP_CHECK_NEAR(residual.cwiseAbs().maxCoeff(), 0, tolerance);
+  const Eigen::MatrixXd products = pairs.vectors.transpose() * (b * pairs.vectors);
+  GDP_CHECK_NEAR((products - Eigen::MatrixXd::Identity(products.rows(), products.cols())).cwiseAbs().maxCoeff(), 0, 1e-11);
+}
+
+// l (l + 1) as often as 2 l + 1, of second order.
+void test_sphere()
+{
+  double last = 0;
+  for(int level : {2, 3})
+  {
+    const Arrays sphere = arrays_of(icosphere(level));
+    const Sparse stiffness = stiffness_matrix(sphere), mass = diagonal(masses_of(sphere));
+    Eigenpairs pairs;
+    GDP_CHECK(lowest_eigenpairs(stiffness, mass, 25, pairs) == GDP::ok);
+    GDP_CHECK(pairs.values.size() == 25);
+    check_pairs(stiffness, mass, pairs, 1e-7);
+    double error = 0;
+    for(int l = 0, j = 0; l < 5; ++l)
+      for(int m = 0; m < 2 * l + 1; ++m, ++j)
+        error = (std::max)(error, std::abs(pairs.values[j] - l * (l + 1.)) / 20);
+    GDP_CHECK_NEAR(error, 0, level == 2 ? 0.11 : 0.03);
+    GDP_CHECK(last == 0 || std::abs(error / last - 0.25) < 0.05);
+    last = error;
+  }
+}
+
+// All eigenvalues against a dense solver, over several bands, whatever the operator; a flat torus has each many times.
+void test_bands()
+{
+  const Arrays patch = arrays_of(bumpy_patch(14, 13)), torus = arrays_of(gdp_test::torus(16, 16));
+  Metrics flat;
+  flat.given.assign(torus.triangles.size(), GDP::Triangle_metric());
+  const std::vector<Vec3> up(torus.points.size(), Vec3(0, 0, 1));
+  const Sparse matrices[4] = {stiffness_matrix(patch), hessian_energy(patch, Metrics(), GDP::Hessian_kind::SQUARED_HESSIAN, true),
+                              hessian_energy(patch, Metrics(), GDP::Hessian_kind::CURVED_HESSIAN, true),
+                              modified_dirichlet(torus, flat, up, true)};
+  for(int i = 0; i < 4; ++i)
+  {
+    const Sparse mass = diagonal(i < 3 ? masses_of(patch) : Eigen::VectorXd(Eigen::VectorXd::Ones(256)));
+    const Eigen::VectorXd expected =
+      Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(matrices[i]), Eigen::MatrixXd(mass)).eigenvalues();
+    for(int count : {1, 150})
+    {
+      Eigenpairs pairs;
+      if(!GDP_CHECK(lowest_eigenpairs(matrices[i], mass, count, pairs) == GDP::ok))
+        std::cerr << "  operator " << i << ", " << count << " pairs" << std::endl;
+      GDP_CHECK(pairs.values.size() == count);
+      if(pairs.values.size() == count)
+        GDP_CHECK_NEAR((pairs.values - expected.head(count)).cwiseAbs().maxCoeff() / expected[149], 0, 1e-9);
+    }
+  }
+}
+
+// The transfer function measured on harmonics is the one that is stated, which is a half at the cut-offs and keeps the mean.
+void test_rational_filters()
+{
+  const Arrays sphere = arrays_of(icosphere(3));
+  const Sparse stiffness = stiffness_matrix(sphere), squared = bilaplacian(sphere, Metrics(), true);
+  const Eigen::VectorXd masses = masses_of(sphere);
+  const Sparse mass = diagonal(masses);
+  Eigenpairs pairs;
+  GDP_CHECK(lowest_eigenpairs(stiffness, mass, 40, pairs) == GDP::ok);
+  for(int order = 1; order <= 5; ++order)
+  {
+    const auto low = [order](double mu, double cut_off) { return 1 / (1 + std::pow(mu / cut_off, order)); };
+    const Rational_filter filters[4] = {Rational_filter::low_pass(12, order), Rational_filter::high_pass(12, order),
+                                        Rational_filter::band_pass(5, 20, order), Rational_filter::band_stop(5, 20, order)};
+    for(int i = 0; i < 4; ++i)
+    {
+      Eigen::MatrixXd filtered = pairs.vectors;
+      GDP_CHECK(filters[i].apply(stiffness, masses, squared, filtered) == GDP::ok);
+      for(int j = 0; j < 40; ++j)
+      {
+        const double mu = (std::max)(0., pairs.values[j]);
+        const double band = low(mu, 20) - low(mu, 5);
+        const double expected = i == 0 ? low(mu, 12) : i == 1 ? 1 - low(mu, 12) : i == 2 ? band : 1 - band;
+        GDP_CHECK_NEAR(filters[i](mu), expected, 1e-12);
+        GDP_CHECK_NEAR(pairs.vectors.col(j).dot(mass * filtered.col(j)), expected, 1e-9);
+        GDP_CHECK_NEAR((filtered.col(j) - expected * pairs.vectors.col(j)).cwiseAbs().maxCoeff(), 0, 1e-7);
+      }
+    }
+    GDP_CHECK_NEAR(filters[0](12), 0.5, 1e-13);
+    GDP_CHECK_NEAR(filters[0](0), 1, 1e-13);
+    GDP_CHECK(filters[0](24) <= std::pow(0.5, order) && filters[0](6) >= 1 - std::pow(0.5, order));
+  }
+
+  // the same by harmonics, for a signal of which they make up a part, and the rest is kept
+  const Rational_filter filter = Rational_filter::low_pass(12, 4);
+  const Eigen::MatrixXd signal = sampled(sphere, [](const Vec& p) { return std::exp(2 * p.x()) + std::sin(9 * p.y()); });
+  Eigen::MatrixXd solved = signal;
+  GDP_CHECK(filter.apply(stiffness, masses, squared, solved) == GDP::ok);
+  GDP_CHECK_NEAR(masses.dot(solved.col(0) - signal.col(0)), 0, 1e-10);
+  const Eigen::MatrixXd by_harmonics = filter_by_harmonics(pairs, mass, signal, filter, 0.25);
+  const Eigen::MatrixXd parts = pairs.vectors.transpose() * (mass * (by_harmonics - solved));
+  GDP_CHECK_NEAR(parts.cwiseAbs().maxCoeff(), 0, 1e-9);
+  const Eigen::MatrixXd rest = signal - pairs.vectors * (pairs.vectors.transpose() * (mass * signal));
+  const Eigen::MatrixXd rest_filtered = by_harmonics - pairs.vectors * (pairs.vectors.transpose() * (mass * by_harmonics));
+  GDP_CHECK_NEAR((rest_filtered - 0.25 * rest).cwiseAbs().maxCoeff(), 0, 1e-10);
+}
+
+// A square whose border is constrained: pi^2 (i^2 + j^2), counted from one.
+void test_constrained()
+{
+  const Arrays square = arrays_of(grid(20, 20));
+  std::vector<int> free_index;
+  int count = 0;
+  for(char is_on_border : square.is_on_border)
+    free_index.push_back(is_on_border ? -1 : count++);
+  const auto whole = [](const Sparse& lower) { return Sparse(lower.selfadjointView<Eigen::Lower>()); };
+  const Sparse stiffness = whole(free_block(stiffness_matrix(square), free_index, count));
+  const Sparse mass = whole(free_block(diagonal(masses_of(square)), free_index, count));
+  Eigenpairs pairs;
+  GDP_CHECK(lowest_eigenpairs(stiffness, mass, 4, pairs) == GDP::ok);
+  const double expected[4] = {2, 5, 5, 8}, pi = 4 * std::atan(1.);
+  for(int j = 0; j < 4; ++j)
+    GDP_CHECK_NEAR(pairs.values[j] / (pi * pi * expected[j]), 1, 0.02);
+}
+
+} // namespace
+
+int main()
+{
+  test_sphere();
+  test_bands();
+  test_rational_filters();
+  test_constrained();
+  return GDP_TEST_RESULT();
+}
