@@ -91,6 +91,7 @@ void test_limits()
     GDP_CHECK_NEAR(terrain.point(v).z(), plain.point(v).z(), 1e-9);
   }
   GDP_CHECK(GDP::smooth(terrain, GDP::parameters::movable_axes("zq")) == GDP::error_invalid_parameter);
+  GDP_CHECK(GDP::smooth(terrain, GDP::parameters::movable_axes("z").restore_volume(true)) == GDP::error_no_volume);
 }
 
 // Missing values of a linear signal on a square come back, and the others stay as they were without them.

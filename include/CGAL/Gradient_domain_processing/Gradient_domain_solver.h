@@ -164,7 +164,7 @@ public:
    *     \cgalParamDefault{nothing is welded}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{missing_values}
-   *     \cgalParamDescription{whether NaN in a signal means that there is no value. Such values are filled in: they have no value weight, and no gradient is asked for on their faces. Otherwise NaN is an error.}
+   *     \cgalParamDescription{whether NaN in a signal means that there is no value. Such values are filled in first, as smoothly as the metric has it, and no gradient is asked for on their faces. Otherwise NaN is an error.}
    *     \cgalParamType{`bool`}
    *     \cgalParamDefault{`false`}
    *   \cgalParamNEnd

@@ -32,7 +32,7 @@ enum class Stage
   READ,      ///< Copying mesh and signal into arrays, and checking them.
   CURVATURE, ///< Estimating curvatures. The presmoothing before it has its own stages from `ANALYZE` to `SOLVE`.
   METRIC,    ///< Building the metric of every face.
-  ANALYZE,   ///< Ordering the unknowns, sparsity pattern and symbolic factorization.
+  ANALYZE,   ///< Ordering the degrees of freedom, sparsity pattern and symbolic factorization.
   ASSEMBLE,  ///< Filling the matrix; making a right-hand side.
   FACTOR,    ///< Numeric factorization.
   SOLVE,     ///< Solution for a right-hand side.
@@ -133,7 +133,7 @@ public:
     stage_ends(stage);
   }
 
-  // `part` of the current stage is done. The calling thread is the one that all else is called from.
+  // `part` of the current stage is done. Called by one thread at a time.
   bool go_on(double part = 0)
   {
     m_reported = (std::max)(m_reported, (std::min)(1., (m_done + part * usual_duration(m_stage)) / m_planned));

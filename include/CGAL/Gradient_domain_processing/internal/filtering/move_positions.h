@@ -29,6 +29,8 @@ struct Position_options
   double max_displacement = std::numeric_limits<double>::infinity(); // in the unit of the mesh
   std::array<bool, 3> is_movable{{true, true, true}};                // by axis
   bool are_valid = true;
+
+  bool moves_along_all_axes() const { return is_movable[0] && is_movable[1] && is_movable[2]; }
 };
 
 template <class NamedParameters>
@@ -48,6 +50,8 @@ Position_options read_position_options(const NamedParameters& np, bool restores_
       else
         options.are_valid = false;
   }
+  if(!Has_parameter<restore_volume_t, NamedParameters>::value && !options.moves_along_all_axes())
+    options.restores_volume = false; // scaling would move vertices along the others
   return options;
 }
 
@@ -79,7 +83,7 @@ Error_code move_positions(Solver& solver, PointMap point_map, const NamedParamet
   const Position_options options = read_position_options(np, restores_volume_by_default);
   if(!options.are_valid)
     return error_invalid_parameter;
-  if(options.restores_volume && !filter.encloses_volume())
+  if(options.restores_volume && !(filter.encloses_volume() && options.moves_along_all_axes()))
     return error_no_volume;
   Indexed_triangles& mesh = filter.system.mesh;
   const std::vector<Vec3> before = mesh.points;

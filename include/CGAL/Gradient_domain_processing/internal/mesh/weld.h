@@ -94,17 +94,23 @@ private:
   }
 };
 
-// Makes one vertex of those on the border that share a place, within a tolerance in units of the arrays: the sides of a seam move
+// Makes one vertex of those on the border that share a place, within a tolerance relative to the extent: the sides of a seam move
 // together. Answers how many vertices went into others. Corners and borders are those of before, and to be made anew if any did.
 inline int weld_border(double tolerance, Indexed_triangles& mesh)
 {
   const int n = mesh.number_of_vertices();
+  Vec3 low = mesh.points.front(), high = low;
+  for(const Vec3& p : mesh.points)
+  {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
   std::vector<int> candidates;
   for(int v = 0; v < n; ++v)
     if(mesh.is_on_border[v])
       candidates.push_back(v);
   Disjoint_sets sets(n);
-  Coincident_points(mesh.points, tolerance).join(candidates, sets);
+  Coincident_points(mesh.points, tolerance * (high - low).maxCoeff()).join(candidates, sets);
 
   std::vector<int> number(n, -1);
   mesh.vertex_of_row.resize(n);
