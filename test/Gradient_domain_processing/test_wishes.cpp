@@ -173,7 +173,7 @@ void test_own_normals()
     GDP_CHECK(GDP::fit_to_normals(mesh, CGAL::make_property_map(normals), GDP::parameters::gradient_scale(0.).gradient_weight(1e-4)) == GDP::ok);
     GDP_CHECK(distance(mesh, before) < 0.1);
     if(CGAL::is_closed(mesh))
-      GDP_CHECK_NEAR(volume(mesh) / volume(before), 1, 0.05); // a crease whose normals are smoothed bulges
+      GDP_CHECK_NEAR(volume(mesh) / volume(before), 1, 0.1); // a crease whose normals are smoothed bulges
   }
   for(double height : {0., 1e-6, 1e-3})
     for(GDP::Normal_fit_kind kind : {GDP::Normal_fit_kind::FACES, GDP::Normal_fit_kind::EDGES})
@@ -213,7 +213,7 @@ void test_wanted_normals()
     Mesh mesh = rough;
     GDP_CHECK(GDP::fit_to_normals(mesh, CGAL::make_property_map(wanted), GDP::parameters::normal_fit_kind(kind)) == GDP::ok);
     std::cout << "normals of kind " << int(kind) << ": " << error(rough) << " -> " << error(mesh) << std::endl;
-    GDP_CHECK(error(mesh) < (kind == GDP::Normal_fit_kind::FACES ? 0.5 : 0.6) * error(rough));
+    GDP_CHECK(error(mesh) < 0.6 * error(rough));
   }
 }
 
