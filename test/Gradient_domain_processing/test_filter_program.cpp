@@ -519,7 +519,8 @@ void test_properties(const Mesh& mesh)
 
 void test_other_operations(const Mesh& mesh)
 {
-  for(const char* options : {"--operation enhance-details", "--operation enhance-details --metric edge-aware", "--signal normal-to-position",
+  for(const char* options : {"--operation enhance-details", "--operation enhance-details --metric edge-aware",
+                             "--signal normal-to-position --gradient-weight 1e-3", "--signal normal-to-position --normal-fit edges",
                              "--metric anisotropic --curvature normals", "--metric preserve-convex --jet-degree 3 --iterations 2",
                              "--metric preserve-concave", "--curvature-weight 0.1", "--border fixed", "--border along-border",
                              "--area-normalization off", "--threads 1", "--restore-volume"})

@@ -57,6 +57,7 @@ void check_normals(const Case& c, Error_log& log)
   for(Vertex v : vertices(tm))
     normals[v] = given.at(v);
   const auto np = GDP::parameters::gradient_weight(c.number("beta", 0)).normal_projection_weight(c.number("npweight", 0))
+    .normal_fit_kind(GDP::Normal_fit_kind::EDGES)
     .area_normalization(c.is_relative()).curvature_metric_kind(c.metric_kind()).curvature_weight(c.number("eps", 0))
     .presmoothing_weight(c.number("gamma", 0)).curvature_estimator(GDP::Curvature_estimator::NORMALS);
   const double lambda = c.number("lambda", 1);
