@@ -237,7 +237,7 @@ void test_polygons()
       const bool inside = i > 0 && j > 0 && i < n && j < n;
       points.emplace_back(i + (inside ? 0.3 * random() : 0.), j + (inside ? 0.3 * random() : 0.), 0);
     }
-  const auto at = [n](int i, int j) { return i * (n + 1) + j; };
+  const auto at = [&](int i, int j) { return i * (n + 1) + j; };
   std::vector<std::vector<int> > polygons;
   for(int i = 0; i < n; ++i)
     for(int j = 0; j < n; ++j)
