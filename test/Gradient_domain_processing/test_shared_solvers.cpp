@@ -9,6 +9,7 @@
 #include "minimal_solver.h"
 #include "test_utils.h"
 
+#include <chrono>
 #include <CGAL/Gradient_domain_processing/Conjugate_gradient_solver_traits.h>
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/Borrowed_number.h>
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/Linear_solver.h>
@@ -176,7 +177,7 @@ class Told_thread
     for(int step = 1; ; ++step)
     {
       while(m_told < step && !m_ends)
-        std::this_thread::yield();
+        std::this_thread::sleep_for(std::chrono::microseconds(10));
       if(m_ends)
         return;
       (*m_work.load())(m_data);
@@ -192,7 +193,7 @@ public:
     m_work = [](void* data) { (*static_cast<typename std::remove_reference<Work>::type*>(data))(); };
     const int step = ++m_told;
     while(m_done < step)
-      std::this_thread::yield();
+      std::this_thread::sleep_for(std::chrono::microseconds(10));
   }
   ~Told_thread()
   {
