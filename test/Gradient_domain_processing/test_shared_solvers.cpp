@@ -9,7 +9,6 @@
 #include "minimal_solver.h"
 #include "test_utils.h"
 
-#include <chrono>
 #include <CGAL/Gradient_domain_processing/Conjugate_gradient_solver_traits.h>
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/Borrowed_number.h>
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/Linear_solver.h>
@@ -24,6 +23,7 @@
 #endif
 
 #include <atomic>
+#include <chrono>
 #include <iostream>
 #include <memory>
 #include <string>
