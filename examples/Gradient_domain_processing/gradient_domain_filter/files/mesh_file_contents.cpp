@@ -122,7 +122,7 @@ void check_range(const Mesh_file& file, const Output_form& form)
 {
   const bool is_single = form.precision == Precision::SINGLE || is_binary_stl(file, form)
                          || (form.precision == Precision::DEFAULT && form.format == File_format::PLY && file.format == File_format::PLY
-                             && file.coordinate_type == Number_type::FLOAT && !is_text(file));
+                             && file.coordinate_type == Number_type::FLOAT && !(is_text(file) && can_replace(file, form)));
   if(!is_single)
     return;
   for(std::size_t v = 0; v < file.points.size(); ++v)
@@ -195,7 +195,7 @@ void check_form(const Mesh_file& file, const Output_form& form, const std::strin
 {
   if(form.format == File_format::STL && form.precision == Precision::DOUBLE && is_binary_stl(file, form))
     throw Failure(output, "binary STL is single precision");
-  if(form.format != File_format::STL || file.format == File_format::STL)
+  if(form.format != File_format::STL || can_replace(file, form))
     return;
   for(std::size_t f = 0; f < file.polygons.size(); ++f)
     if(file.polygons[f].size() != 3)
