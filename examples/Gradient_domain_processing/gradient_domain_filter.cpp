@@ -104,6 +104,19 @@ std::string joined(const std::vector<std::string>& words)
   return text;
 }
 
+// What nobody should have to find out for himself. Remarks about a surface that has not changed are of no use, and --verbose
+// has them in its summary.
+void say_all(const Options& options, const Report& report, Stage_clock& clock)
+{
+  if(!report.why_unchanged.empty())
+    say(clock, options.output_name() + ": nothing has changed: " + report.why_unchanged);
+  else if(!options.is_verbose)
+    for(const std::string& remark : report.remarks(options))
+      say(clock, options.input_name() + ": " + remark);
+  if(!report.not_kept.empty())
+    say(clock, options.output_name() + ": not kept: " + joined(report.not_kept));
+}
+
 void run(const Options& options)
 {
 #ifdef CGAL_LINKED_WITH_TBB
@@ -126,7 +139,7 @@ void run(const Options& options)
     form.format = options.output_format.value_or(file.format);
     check_output_form(options, form);
     check_form(file, form, options.output_name());
-    if(options.is_verbose || report_file)
+    if(!options.is_quiet || report_file)
       report.survey = survey(file.points, file.polygons);
   }
   filter(options, form, file, clock, report);
@@ -140,10 +153,8 @@ void run(const Options& options)
   output.commit();
   if(report_file)
     report_file->commit();
-  if(!report.why_unchanged.empty())
-    say(clock, options.output_name() + ": nothing has changed: " + report.why_unchanged);
-  if(!report.not_kept.empty())
-    say(clock, options.output_name() + ": not kept: " + joined(report.not_kept));
+  if(!options.is_quiet)
+    say_all(options, report, clock);
   clock.clear();
   if(options.is_verbose)
     (options.output == "-" || options.report == "-" ? std::cerr : std::cout) << report.summary(options, clock) << std::flush;

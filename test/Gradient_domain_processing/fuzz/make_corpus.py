@@ -171,7 +171,7 @@ seed("ply_list_named_as_new", "a.ply b.ply --signal curvature", "ply\nformat asc
      "property float x\nproperty float y\nproperty float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"
      "0 0 0 0\n0 1 0 0\n0 0 1 0\n0 1 1 1\n3 0 1 2\n3 1 3 2\n")
 seed("curvature_overflows", "a.off b.ply --signal curvature",
-     off(([tuple(x * 1e-160 for x in p) for p in OCTAHEDRON[0]], OCTAHEDRON[1])))
+     off(([tuple(x * 1e-160 for x in p) for p in grid[0]], grid[1])))
 seed("help", "--help", "")
 
 # broken ones

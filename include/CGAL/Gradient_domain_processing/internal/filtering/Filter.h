@@ -41,7 +41,9 @@ public:
   Linear_system<SparseLinearSolver> system;
   double squared_length_unit = 1; // weights times it are in units of the arrays
   Border_condition border_condition = Border_condition::FREE;
-  std::vector<char> is_constrained; // by the caller or for a face outside of the region, not by the border condition
+  Border_condition line_condition = Border_condition::FREE; // where three triangles or more share an edge
+  std::vector<char> is_constrained; // by the caller or for a face outside of the region, not by a condition
+  std::vector<char> is_held;        // these, and those of a border or a line that is fixed
   Culprit culprit;                  // of the last error
 
 private:
@@ -58,11 +60,11 @@ public:
 
   void constrain(std::vector<char> constrained)
   {
-    is_constrained = constrained;
+    is_constrained = is_held = constrained;
     if(border_condition != Border_condition::FREE)
-      for(std::size_t v = 0; v < constrained.size(); ++v)
-        if(mesh().is_on_border[v])
-          constrained[v] = 1;
+      hold(border_condition, mesh().is_on_border, constrained);
+    if(line_condition != Border_condition::FREE)
+      hold(line_condition, vertices_at(line_edges(mesh()), mesh()), constrained);
     system.set_constrained(std::move(constrained));
   }
 
@@ -71,11 +73,7 @@ public:
     return std::find(is_constrained.begin(), is_constrained.end(), 1) != is_constrained.end();
   }
 
-  bool is_moved(int v) const
-  {
-    return mesh().corners.size(v) > 0
-        && (!system.is_constrained[v] || (border_condition == Border_condition::ALONG_BORDER && !is_constrained[v]));
-  }
+  bool is_moved(int v) const { return mesh().corners.size(v) > 0 && !is_held[v]; }
 
   // The volume has a meaning where all of a closed mesh moves freely.
   bool encloses_volume() const
@@ -144,10 +142,16 @@ public:
   template <class Target_field>
   Error_code solve(const Target_field& target, Signal& change)
   {
-    if(border_condition != Border_condition::ALONG_BORDER)
+    std::vector<Border_edge> edges;
+    if(border_condition == Border_condition::ALONG_BORDER)
+      edges = border_edges(mesh());
+    if(line_condition == Border_condition::ALONG_BORDER)
+      for(const Border_edge& e : line_edges(mesh()))
+        edges.push_back(e);
+    if(edges.empty())
       return system.solve(target, *m_progress, change);
     change.setZero(mesh().number_of_vertices(), target.channels());
-    if(const Error_code code = displace_border(mesh(), system.weights(), is_constrained, target, change))
+    if(const Error_code code = displace_curves(mesh(), std::move(edges), system.weights(), is_held, target, change))
       return code;
     return system.solve(target, *m_progress, change, true);
   }
@@ -195,6 +199,17 @@ public:
   }
 
 private:
+  // Vertices under a condition are constrained on the surface; unless they are fixed they move with their curve.
+  void hold(Border_condition condition, const std::vector<char>& is_on_curve, std::vector<char>& constrained)
+  {
+    for(std::size_t v = 0; v < constrained.size(); ++v)
+      if(is_on_curve[v])
+      {
+        constrained[v] = 1;
+        is_held[v] = is_held[v] || condition == Border_condition::FIXED;
+      }
+  }
+
   // A copy for estimating curvatures: smoothed with the metric of the embedding, by vertex. The system's own metric and weights come
   // back, whatever happens.
   Error_code presmooth(double weight, Signal& signal)
