@@ -56,6 +56,7 @@ public:
   explicit Linear_system(const SparseLinearSolver& solver) : m_solver(solver) {}
 
   Triangle_metric metric(int f) const { return m_coefficients.metrics(mesh, f); }
+  const Triangle_metrics& metrics() const { return m_coefficients.metrics; }
   const Energy_weights& weights() const { return m_coefficients.weights; }
   const Degrees_of_freedom& degrees_of_freedom() const { return m_dofs; }
 
