@@ -44,7 +44,7 @@ namespace Gradient_domain_processing {
  *
  * \tparam ConcurrencyTag enables parallel computation. The result is the same to the bit either way.
  *
- * \cgalModels `SparseLinearAlgebraWithFactorTraits_d`
+ * \cgalModels{SparseLinearAlgebraWithFactorTraits_d}
  *
  * \sa `Default_sparse_linear_solver`
  */
