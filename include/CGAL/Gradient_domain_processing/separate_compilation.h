@@ -13,6 +13,7 @@
 #include <CGAL/Gradient_domain_processing/internal/compiled/curvature.h>
 #include <CGAL/Gradient_domain_processing/internal/compiled/energy.h>
 #include <CGAL/Gradient_domain_processing/internal/compiled/filtering.h>
+#include <CGAL/Gradient_domain_processing/internal/compiled/higher_order.h>
 #include <CGAL/Gradient_domain_processing/internal/compiled/linear_solver.h>
 #include <CGAL/Gradient_domain_processing/internal/compiled/mesh.h>
 #include <CGAL/Gradient_domain_processing/internal/compiled/ordering.h>

@@ -66,8 +66,15 @@ std::unique_ptr<Any_linear_solver> any_linear_solver(const SolverTraits& traits)
   return std::make_unique<Any_linear_solver_of<SolverTraits> >(traits);
 }
 
+// The default where there is no CHOLMOD.
+typedef Eigen_solver_traits<Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int> > >
+  Eigen_cholesky_traits;
+
 #ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
 extern template std::unique_ptr<Any_linear_solver> any_linear_solver(const Default_sparse_linear_solver&);
+#ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD
+extern template std::unique_ptr<Any_linear_solver> any_linear_solver(const Eigen_cholesky_traits&);
+#endif
 #endif
 
 } // namespace internal
