@@ -104,9 +104,8 @@ void test_bands()
 // Filters columns by vertex.
 GDP::Error_code apply(const Rational_filter& filter, const Arrays& arrays, Eigen::MatrixXd& columns)
 {
-  typedef GDP::Default_sparse_linear_solver Solver;
   Progress progress;
-  Spectral_system<Solver> system(Solver(), true);
+  Spectral_system system(any_linear_solver(GDP::Default_sparse_linear_solver()), true);
   if(const GDP::Error_code code = system.assemble_matrices(arrays, Metrics(), std::vector<char>(arrays.points.size(), 0), progress))
     return code;
   const std::vector<int>& vertex = system.degrees_of_freedom().vertex;

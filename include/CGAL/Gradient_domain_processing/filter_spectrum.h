@@ -47,8 +47,9 @@ Error_code filter_spectrum(InMap in, OutMap out, const Transfer& transfer, Solve
       return values.allFinite() ? ok : error_invalid_parameter;
     }
   };
-  return solver.checked(filter_spectrum_of_signal(in, out, parameter(np, CGAL::internal_np::sparse_linear_solver, Linear_solver_traits()),
-                                                  solver.elements(), filter, apply));
+  return solver.checked(filter_spectrum_of_signal(
+    in, out, any_linear_solver(parameter(np, CGAL::internal_np::sparse_linear_solver, Linear_solver_traits())), solver.elements(),
+    filter, apply));
 }
 
 // Before anything is read.

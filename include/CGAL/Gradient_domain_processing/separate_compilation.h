@@ -17,5 +17,6 @@
 #include <CGAL/Gradient_domain_processing/internal/compiled/linear_solver.h>
 #include <CGAL/Gradient_domain_processing/internal/compiled/mesh.h>
 #include <CGAL/Gradient_domain_processing/internal/compiled/ordering.h>
+#include <CGAL/Gradient_domain_processing/internal/compiled/spectrum.h>
 
 #endif // CGAL_GRADIENT_DOMAIN_PROCESSING_SEPARATE_COMPILATION_H

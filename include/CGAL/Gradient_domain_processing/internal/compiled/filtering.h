@@ -10,6 +10,7 @@
 #include <CGAL/Gradient_domain_processing/internal/filtering/Filter_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/filtering/filter_positions_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/filtering/filter_signal_impl.h>
+#include <CGAL/Gradient_domain_processing/internal/filtering/filter_spectrum_of_signal_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/filtering/move_positions_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/filtering/own_normals_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/filtering/read_parameters_impl.h>

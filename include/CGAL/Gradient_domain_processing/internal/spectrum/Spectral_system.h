@@ -9,15 +9,14 @@
 
 #include <CGAL/Gradient_domain_processing/Error_code.h>
 #include <CGAL/Gradient_domain_processing/visitor.h>
-#include <CGAL/Gradient_domain_processing/internal/energy/assemble.h>
-#include <CGAL/Gradient_domain_processing/internal/energy/prolongation.h>
-#include <CGAL/Gradient_domain_processing/internal/higher_order/bilaplacian.h>
-#include <CGAL/Gradient_domain_processing/internal/linear_solver/Linear_solver.h>
-#include <CGAL/Gradient_domain_processing/internal/linear_solver/ordering/elimination_order.h>
+#include <CGAL/Gradient_domain_processing/internal/energy/sparsity_pattern.h>
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/Any_linear_solver.h>
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/ordering/Degrees_of_freedom.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/Indexed_triangles.h>
+#include <CGAL/Gradient_domain_processing/internal/metric/Triangle_metrics.h>
 #include <CGAL/Gradient_domain_processing/internal/spectrum/Rational_filter.h>
 
-#include <cmath>
-#include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -27,9 +26,8 @@ namespace internal {
 
 // S and a lumped M of the vertices that are not constrained, and what filters signals by the eigenvalues of (S, M). One
 // factorization of M + S / c serves all fractions of the cut-off c: it solves those of first degree, and its square,
-// (M + S / c) M^-1 (M + S / c), is close to those of second degree, (z + 1)^2 to z^2 + 2 shift z + 1, so that conjugate gradients need about twenty
-// steps for eight digits, however large the mesh is.
-template <class SparseLinearSolver>
+// (M + S / c) M^-1 (M + S / c), is close to those of second degree, (z + 1)^2 to z^2 + 2 shift z + 1, so that conjugate
+// gradients need about twenty steps for eight digits, however large the mesh is.
 class Spectral_system
 {
   static constexpr double tolerance = 1e-8; // of the error in the energy's norm, relative to the solution
@@ -38,11 +36,11 @@ class Spectral_system
   Degrees_of_freedom m_dofs;
   Sparse_matrix m_stiffness; // stored as a whole
   Eigen::VectorXd m_masses;
-  Linear_solver<SparseLinearSolver> m_solver;
+  std::unique_ptr<Any_linear_solver> m_solver;
   bool m_parallel;
 
 public:
-  Spectral_system(const SparseLinearSolver& solver, bool parallel) : m_solver(solver), m_parallel(parallel) {}
+  Spectral_system(std::unique_ptr<Any_linear_solver> solver, bool parallel) : m_solver(std::move(solver)), m_parallel(parallel) {}
 
   bool is_parallel() const { return m_parallel; }
   const Degrees_of_freedom& degrees_of_freedom() const { return m_dofs; }
@@ -50,162 +48,31 @@ public:
   const Eigen::VectorXd& masses() const { return m_masses; }
 
   Error_code assemble_matrices(const Indexed_triangles& mesh, const Triangle_metrics& metrics, const std::vector<char>& is_constrained,
-                               Progress& progress)
-  {
-    if(!progress.go_on())
-      return error_cancelled;
-    Stage_scope stage(progress, Stage::ASSEMBLE);
-    const Lists rings = mesh.one_rings(m_parallel);
-    const bool has_virtual_vertices = mesh.virtual_vertices.size() > 0;
-    std::vector<char> is_free(mesh.points.size());
-    for(int v = 0; v < mesh.number_of_vertices(); ++v)
-      is_free[v] = !is_constrained[v] && mesh.corners.size(v) > 0 && v < mesh.first_virtual_vertex();
-    bool is_cancelled = false;
-    m_dofs = elimination_order(mesh.points, has_virtual_vertices ? rings_of_polygons(rings, mesh) : rings, is_free, m_parallel,
-                               [&] { return !(is_cancelled = !progress.go_on()); });
-    if(is_cancelled)
-      return error_cancelled;
-
-    const Degrees_of_freedom all = has_virtual_vertices ? with_virtual_vertices(m_dofs, mesh) : m_dofs;
-    Energy_weights weights;
-    weights.value = 0;
-    weights.gradient = 1;
-    set_pattern(sparsity_pattern(rings, all, false, m_parallel), m_parallel, m_stiffness);
-    assemble(mesh, metrics, weights, all, m_parallel, m_stiffness, false);
-    const std::vector<double> masses = lumped_masses(mesh, metrics, m_parallel);
-    m_masses.resize(all.size());
-    for(int i = 0; i < all.size(); ++i)
-      m_masses[i] = masses[std::size_t(all.vertex[std::size_t(i)])];
-    if(has_virtual_vertices)
-    {
-      const Sparse_matrix p = prolongation(m_dofs, mesh);
-      m_stiffness = Sparse_matrix(p.transpose() * Sparse_matrix(m_stiffness * p));
-      m_masses = (p.transpose() * m_masses).eval();
-    }
-    return ok;
-  }
+                               Progress& progress);
 
   // Filters a signal by degree of freedom.
-  Error_code apply(const Rational_filter& filter, Progress& progress, Eigen::MatrixXd& signal)
-  {
-    const Eigen::MatrixXd weighted = m_masses.asDiagonal() * signal, slopes = times_stiffness(signal);
-    Eigen::MatrixXd sum = filter.constant() * signal, right, x;
-    double cut_off = 0; // of the factor
-    for(const Rational_filter::Fraction& fraction : filter.fractions())
-    {
-      if(fraction.cut_off != cut_off)
-        if(const Error_code code = factorize(fraction.cut_off, progress))
-          return code;
-      cut_off = fraction.cut_off;
-      Stage_scope stage(progress, Stage::SOLVE);
-      right = fraction.weight * weighted;
-      if(fraction.has_second_degree)
-        right -= fraction.weight * fraction.slope / cut_off * slopes;
-      if(const Error_code code = fraction.has_second_degree ? solve_second_degree(fraction, progress, right, x)
-                                                            : m_solver.solve(right, x, [&] { return progress.go_on(); }))
-        return code;
-      sum += x;
-    }
-    if(!sum.allFinite())
-      return error_cannot_solve_linear_system;
-    signal.swap(sum);
-    return ok;
-  }
+  Error_code apply(const Rational_filter& filter, Progress& progress, Eigen::MatrixXd& signal);
 
 private:
-  Error_code factorize(double cut_off, Progress& progress)
-  {
-    if(!progress.go_on())
-      return error_cancelled;
-    Stage_scope stage(progress, Stage::FACTOR);
-    Sparse_matrix matrix;
-    if(Linear_solver<SparseLinearSolver>::reads_lower_triangle)
-      matrix = m_stiffness.template triangularView<Eigen::Lower>();
-    else
-      matrix = m_stiffness;
-    matrix /= cut_off;
-    for(int i = 0; i < m_dofs.size(); ++i)
-      matrix.coeffRef(i, i) += m_masses[i];
-    return m_solver.factorize(matrix, [&] { return progress.go_on(); });
-  }
+  Error_code factorize(double cut_off, Progress& progress);
 
   // The matrix is symmetric: its columns are its rows.
-  Eigen::MatrixXd times_stiffness(const Eigen::MatrixXd& x) const
-  {
-    Eigen::MatrixXd y(x.rows(), x.cols());
-    for_each_block(m_parallel, std::size_t(m_dofs.size()), 4096, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t i = begin; i < end; ++i)
-        for(Eigen::Index channel = 0; channel < x.cols(); ++channel)
-        {
-          double sum = 0;
-          for(Sparse_matrix::InnerIterator it(m_stiffness, Eigen::Index(i)); it; ++it)
-            sum += it.value() * x(it.row(), channel);
-          y(Eigen::Index(i), channel) = sum;
-        }
-    });
-    return y;
-  }
+  Eigen::MatrixXd times_stiffness(const Eigen::MatrixXd& x) const;
 
   // (M + 2 shift S / c + S M^-1 S / c^2) x
-  Eigen::MatrixXd times_second_degree(const Rational_filter::Fraction& fraction, const Eigen::MatrixXd& x) const
-  {
-    const double c = fraction.cut_off;
-    Eigen::MatrixXd slopes = times_stiffness(x);
-    Eigen::MatrixXd y = m_masses.asDiagonal() * x;
-    y += (2 * fraction.shift / c) * slopes;
-    slopes = m_masses.cwiseInverse().asDiagonal() * slopes;
-    y += times_stiffness(slopes) / (c * c);
-    return y;
-  }
+  Eigen::MatrixXd times_second_degree(const Rational_filter::Fraction& fraction, const Eigen::MatrixXd& x) const;
 
   // Conjugate gradients on all channels side by side, each with its own steps.
   Error_code solve_second_degree(const Rational_filter::Fraction& fraction, Progress& progress, const Eigen::MatrixXd& right,
-                                 Eigen::MatrixXd& x)
-  {
-    const auto go_on = [&] { return progress.go_on(); };
-    const auto products = [](const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) -> Eigen::RowVectorXd {
-      return a.cwiseProduct(b).colwise().sum();
-    };
-    x.setZero(right.rows(), right.cols());
-    Eigen::MatrixXd residual = right, z, direction;
-    Eigen::RowVectorXd first, last;
-    for(int step = 0; step < most_steps; ++step)
-    {
-      if(const Error_code code = m_solver.solve(residual, z, go_on))
-        return code;
-      z = m_masses.asDiagonal() * z;
-      if(const Error_code code = m_solver.solve(z, z, go_on))
-        return code;
-      const Eigen::RowVectorXd now = products(residual, z);
-      if(step == 0)
-        first = now;
-      if((now.array() <= tolerance * tolerance * first.array()).all())
-        return ok;
-      if(step == 0)
-        direction = z;
-      else
-        direction = z + direction * quotients(now, last).asDiagonal();
-      last = now;
-      const Eigen::MatrixXd image = times_second_degree(fraction, direction);
-      const Eigen::RowVectorXd lengths = quotients(now, products(direction, image));
-      x += direction * lengths.asDiagonal();
-      residual -= image * lengths.asDiagonal();
-    }
-    return error_not_converged;
-  }
-
-  // Channels that are done, or zero, stay as they are.
-  static Eigen::RowVectorXd quotients(const Eigen::RowVectorXd& a, const Eigen::RowVectorXd& b)
-  {
-    Eigen::RowVectorXd q(a.size());
-    for(Eigen::Index i = 0; i < a.size(); ++i)
-      q[i] = a[i] > 0 && b[i] > 0 ? a[i] / b[i] : 0;
-    return q;
-  }
+                                 Eigen::MatrixXd& x);
 };
 
 } // namespace internal
 } // namespace Gradient_domain_processing
 } // namespace CGAL
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+#include <CGAL/Gradient_domain_processing/internal/spectrum/Spectral_system_impl.h>
+#endif
 
 #endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_SPECTRUM_SPECTRAL_SYSTEM_H
