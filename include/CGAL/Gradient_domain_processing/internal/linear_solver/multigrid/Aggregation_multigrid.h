@@ -180,23 +180,40 @@ private:
   Channels<K> cycle_from_double(const std::vector<double>& b, std::vector<double>& x, const Before& before)
   {
     Level& finest = m_levels.front();
-    const std::vector<double>& inverse_diagonal = finest.smoother.inverse_diagonal();
-    constexpr int width = Lanes<K>::width;
+    const std::size_t block = finest.smoother.block_size();
+    const double* const inverse_diagonal = finest.smoother.inverse_diagonal().data();
+    Channels<K> scale, inverse_scale;
+    for(int c = 0; c < K; ++c)
+    {
+      scale[c] = m_scale[c];
+      inverse_scale[c] = 1 / m_scale[c];
+    }
     const auto enter = [&](std::size_t begin, std::size_t end) {
       before(begin, end);
+      const Channels<K> s = scale; // here, no store changes it
       for(std::size_t i = begin; i < end; ++i)
+      {
+        const double* const from = &b[K * i];
+        float* const to = &finest.right[Lanes<K>::width * i];
         for(int c = 0; c < K; ++c)
-          finest.right[width * i + c] = float(m_scale[c] * (inverse_diagonal[i] * b[K * i + c]));
+          to[c] = float(s[c] * (inverse_diagonal[i] * from[c]));
+      }
     };
-    std::vector<Channels<K> > products((finest.smoother.rows() + finest.smoother.block_size() - 1) / finest.smoother.block_size());
-    Channels<K> inverse_scale;
-    for(int c = 0; c < K; ++c)
-      inverse_scale[c] = 1 / m_scale[c];
+    std::vector<Channels<K> > products((finest.smoother.rows() + block - 1) / block);
     const auto leave = [&](std::size_t begin, std::size_t end) {
+      const Channels<K> s = inverse_scale;
+      Channels<K> sum = Channels<K>::Zero();
       for(std::size_t i = begin; i < end; ++i)
+      {
+        const float* const from = &finest.solution[Lanes<K>::width * i];
+        double* const to = &x[K * i];
         for(int c = 0; c < K; ++c)
-          x[K * i + c] = inverse_scale[c] * finest.solution[width * i + c];
-      products[begin / finest.smoother.block_size()] = product<K>(b, x, begin, end);
+        {
+          to[c] = s[c] * from[c];
+          sum[c] += b[K * i + c] * to[c];
+        }
+      }
+      products[begin / block] = sum;
     };
     cycle<K>(0, enter, leave);
     Channels<K> sum = Channels<K>::Zero();

@@ -115,20 +115,24 @@ private:
     while(is_sound && (rho > limit).any() && count < max_iterations && asked(go_on))
     {
       const Channels<K> turn = count > 0 ? quotient<K>(rho, old_rho, rho > limit) : Channels<K>(Channels<K>::Zero());
-      for_each_row(n, [&](std::size_t i) { // x follows by one step
-        for(int c = 0; c < K; ++c)
-        {
-          x[K * i + c] += step[c] * p[K * i + c];
-          p[K * i + c] = z[K * i + c] + turn[c] * p[K * i + c];
-        }
+      for_each_block(parallel, n, block_size, [&](std::size_t begin, std::size_t end) {
+        const Channels<K> last_step = step, t = turn;
+        for(std::size_t i = begin; i < end; ++i)
+          for(int c = 0; c < K; ++c)
+          {
+            double& direction = p[K * i + c];
+            x[K * i + c] += last_step[c] * direction; // x follows by one step
+            direction = z[K * i + c] + t[c] * direction;
+          }
       });
       curvature = product<K>(p, z);
       step = quotient<K>(rho, curvature, rho > limit);
       old_rho = rho;
       rho = m_preconditioner.apply<K>(r, z, [&](std::size_t begin, std::size_t end) {
+        const Channels<K> s = step;
         for(std::size_t i = begin; i < end; ++i)
           for(int c = 0; c < K; ++c)
-            r[K * i + c] -= step[c] * z[K * i + c];
+            r[K * i + c] -= s[c] * z[K * i + c];
       });
       is_sound = (rho >= 0).all() && rho.allFinite() && (curvature > 0 || old_rho <= limit).all();
       ++count;
@@ -169,11 +173,16 @@ private:
     const Channels<K> zero = Channels<K>::Zero();
     return sum_over_blocks(parallel, p.size() / K, block_size, zero, [&](std::size_t begin, std::size_t end) {
       Channels<K> sum = zero;
+      const double* const from = p.data();
+      double* const to = q.data();
       for(std::size_t i = begin; i < end; ++i)
       {
-        a.template multiply_row<K>(i, p, &q[K * i]);
+        Channels<K> row = zero;
+        for(int e = a.offset[i]; e < a.offset[i + 1]; ++e)
+          row += a.value[e] * Eigen::Map<const Channels<K> >(from + K * std::size_t(a.column[e]));
         for(int c = 0; c < K; ++c)
-          sum[c] += p[K * i + c] * q[K * i + c];
+          to[K * i + c] = row[c];
+        sum += row * Eigen::Map<const Channels<K> >(from + K * i);
       }
       return sum;
     });
