@@ -34,6 +34,7 @@ class Aggregation_multigrid
 {
   typedef Sparse_rows<double> Matrix;
 
+  static constexpr double strength_threshold = 0.08; // of couplings relative to the diagonals, on all levels
   static constexpr int max_coarsest_size = 256;
   static constexpr int max_number_of_eliminations = 12; // slivers that hang together take several
   static constexpr int max_channels = 4;
@@ -74,7 +75,6 @@ public:
     m_finest.swap(matrix);
     const Matrix* finer = eliminate_stiff(matrix) ? &matrix : &m_finest;
     m_solves_coarsest = false;
-    double threshold = 0.08;
     Matrix restriction;
     while(!go_on || go_on())
     {
@@ -89,14 +89,13 @@ public:
         factorize_coarsest(*finer);
         return true;
       }
-      const Matrix p = prolongation(*finer, threshold, m_parallel);
+      const Matrix p = prolongation(*finer, strength_threshold, m_parallel);
       if(p.columns == 0)
         return true;
       level.prolongation = in_single_precision(p);
       restriction = transpose(p);
       matrix = galerkin_product(*finer, p, restriction, m_parallel);
       finer = &matrix;
-      threshold /= 2;
     }
     return false;
   }
