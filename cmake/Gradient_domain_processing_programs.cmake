@@ -6,14 +6,25 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES AND PROJECT_IS_TOP_LEV
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug, Release, RelWithDebInfo or MinSizeRel" FORCE)
 endif()
 
-# gradient_domain_processing_programs(<kind> [EXCEPT <source>...] [WORKING_DIRECTORY <dir>] [OPTIONS <flag>...])
+option(CGAL_GDP_SEPARATE_COMPILATION "Link this project's programs with CGAL::Gradient_domain_processing_compiled" ON)
+
+# What a program of this project links.
+function(gradient_domain_processing_link target)
+  if(CGAL_GDP_SEPARATE_COMPILATION)
+    target_link_libraries(${target} ${ARGN} CGAL::Gradient_domain_processing_compiled)
+  else()
+    target_link_libraries(${target} ${ARGN} CGAL::Gradient_domain_processing)
+  endif()
+endfunction()
+
+# gradient_domain_processing_programs(<kind> [EXCEPT <source>...] [HEADER_ONLY <source>...] [WORKING_DIRECTORY <dir>] [OPTIONS <flag>...])
 #
 # Every *.cpp in the current folder becomes a program of its name and, unless the kind is benchmark, a CTest test
 # <kind>/<name> that runs it. Targets are <kind>_<name>, so that a test and an example may share a name; a name that
 # begins so already stays as it is. Programs of one kind share a precompiled header of other libraries' headers, but not of ours,
-# whose includes shall be seen to be complete. (CMAKE_DISABLE_PRECOMPILE_HEADERS switches it off.)
+# whose includes shall be seen to be complete. HEADER_ONLY: programs that do not link the compiled library. (CMAKE_DISABLE_PRECOMPILE_HEADERS switches it off.)
 function(gradient_domain_processing_programs kind)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "WORKING_DIRECTORY" "EXCEPT;OPTIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "WORKING_DIRECTORY" "EXCEPT;HEADER_ONLY;OPTIONS")
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   set(first_target)
   foreach(source IN LISTS sources)
@@ -29,9 +40,15 @@ function(gradient_domain_processing_programs kind)
     add_executable(${target} ${source})
     set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name} CXX_EXTENSIONS OFF)
     target_compile_options(${target} PRIVATE ${arg_OPTIONS})
-    target_link_libraries(${target} PRIVATE CGAL::Gradient_domain_processing)
+    if(file IN_LIST arg_HEADER_ONLY)
+      target_link_libraries(${target} PRIVATE CGAL::Gradient_domain_processing)
+    else()
+      gradient_domain_processing_link(${target} PRIVATE)
+    endif()
     if(NOT kind STREQUAL "benchmark")
-      if(first_target)
+      if(file IN_LIST arg_HEADER_ONLY)
+        # a precompiled header is one of the same definitions
+      elseif(first_target)
         target_precompile_headers(${target} REUSE_FROM ${first_target})
       else()
         target_precompile_headers(${target} PRIVATE "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/precompiled.h")
@@ -66,7 +83,8 @@ function(gradient_domain_processing_filter)
   target_include_directories(gradient_domain_filter_parts INTERFACE ${folder}/gradient_domain_filter)
   target_compile_definitions(gradient_domain_filter_parts PRIVATE
     GRADIENT_DOMAIN_PROCESSING_VERSION="${Gradient_domain_processing_VERSION}")
-  target_link_libraries(gradient_domain_filter_parts PUBLIC CGAL::Gradient_domain_processing Boost::program_options)
+  gradient_domain_processing_link(gradient_domain_filter_parts PUBLIC)
+  target_link_libraries(gradient_domain_filter_parts PUBLIC Boost::program_options)
   if(TARGET Boost::iostreams)
     target_compile_definitions(gradient_domain_filter_parts PRIVATE GRADIENT_DOMAIN_FILTER_HAS_ZLIB)
     target_link_libraries(gradient_domain_filter_parts PUBLIC Boost::iostreams)

@@ -17,10 +17,12 @@
 #include "gradient_domain_filter/signal.h"
 
 #include <exception>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <new>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -145,7 +147,10 @@ void run(const Options& options)
   filter(options, form, file, clock, report);
   {
     Timed_stage stage(clock, "write");
+    const std::size_t size = file.text.size(), hash = std::hash<std::string_view>()(file.text);
     std::string contents = mesh_file_contents(file, form);
+    if(report.why_unchanged.empty() && contents.size() == size && std::hash<std::string_view>()(contents) == hash)
+      report.why_unchanged = "all changes are smaller than what the numbers of the file can hold";
     output.write(is_compressed_name(options.output) ? packed(contents) : std::move(contents));
   }
   if(report_file)

@@ -4,23 +4,129 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// spectrum() on meshes.
+// spectrum() and filter_spectrum() on meshes.
 
 #include "test_shapes.h"
 #include "test_utils.h"
 
-#include <iostream>
+#include <CGAL/Gradient_domain_processing/filter_spectrum.h>
 #include <CGAL/Gradient_domain_processing/spectrum.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <set>
+#include <string>
+#include <vector>
 
 using namespace gdp_test;
 namespace GDP = CGAL::Gradient_domain_processing;
 
+namespace {
+
+typedef GDP::Spectral_filter Filter;
+typedef Mesh::Property_map<Vertex, double> Signal_map;
+
+Signal_map signal_of(Mesh& mesh, const std::string& name, const std::function<double(const Point&)>& f)
+{
+  Signal_map map = mesh.add_property_map<Vertex, double>(name, 0).first;
+  for(Vertex v : mesh.vertices())
+    map[v] = f(mesh.point(v));
+  return map;
+}
+
+double distance(const Mesh& mesh, Signal_map a, const std::function<double(Vertex)>& b)
+{
+  double most = 0;
+  for(Vertex v : mesh.vertices())
+    most = (std::max)(most, std::abs(a[v] - b(v)));
+  return most;
+}
+
+// On a sphere of radius 10 harmonics of degree l have the eigenvalue l (l + 1) / 100, up to the discretization.
+void test_bands()
+{
+  Mesh mesh = mesh_of(sphere(24).scaled(10));
+  const Signal_map one = signal_of(mesh, "v:one", [](const Point&) { return 3; });
+  const Signal_map first = signal_of(mesh, "v:first", [](const Point& p) { return p.z() / 10; });
+  const Signal_map second = signal_of(mesh, "v:second", [](const Point& p) { return p.x() * p.y() / 100; });
+  const Signal_map sum = signal_of(mesh, "v:sum", [](const Point& p) { return 3 + p.z() / 10 + p.x() * p.y() / 100; });
+  const Signal_map out = signal_of(mesh, "v:out", [](const Point&) { return 0; });
+  const double pass = 2 * pi / std::sqrt(0.04), other = 2 * pi / std::sqrt(0.005);
+  for(int order : {1, 3, 4})
+    for(int kind = 0; kind < 4; ++kind)
+    {
+      const Filter filter = kind == 0 ? Filter::low_pass(pass, order) : kind == 1 ? Filter::high_pass(pass, order)
+                          : kind == 2 ? Filter::band_pass(pass, other, order) : Filter::band_stop(other, pass, order);
+      GDP_CHECK(GDP::filter_spectrum(mesh, sum, out, filter) == GDP::ok);
+      GDP_CHECK_NEAR(distance(mesh, out, [&](Vertex v) {
+        return filter(0) * one[v] + filter(0.02) * first[v] + filter(0.06) * second[v];
+      }), 0, 0.01);
+      // what is constant is kept or removed altogether, whatever the scale
+      GDP_CHECK(GDP::filter_spectrum(mesh, one, out, filter) == GDP::ok);
+      GDP_CHECK_NEAR(distance(mesh, out, [&](Vertex) { return kind == 0 || kind == 3 ? 3. : 0.; }), 0, 1e-7);
+      // a functor, by harmonics: the rest of this signal is small
+      const auto function = [&](double mu) { return filter(mu); };
+      const Signal_map by_harmonics = signal_of(mesh, "v:harmonics", [](const Point&) { return 0; });
+      GDP_CHECK(GDP::filter_spectrum(mesh, sum, by_harmonics, function, GDP::parameters::number_of_harmonics(25)) == GDP::ok);
+      GDP_CHECK(GDP::filter_spectrum(mesh, sum, out, filter) == GDP::ok);
+      GDP_CHECK_NEAR(distance(mesh, out, [&](Vertex v) { return by_harmonics[v]; }), 0, 0.01);
+    }
+}
+
+// Constrained vertices and what is outside of a region keep their values; a function that is harmonic between them is kept as it is.
+void test_constrained_bands()
+{
+  Mesh mesh = mesh_of(grid(16, 16, [](double u, double v) { return Vec(u, v, 0); }));
+  const Signal_map linear = signal_of(mesh, "v:linear", [](const Point& p) { return 2 * p.x() - p.y(); });
+  const Signal_map rough = signal_of(mesh, "v:rough", [](const Point& p) { return std::sin(40 * p.x() + 30 * p.y()); });
+  const Signal_map out = signal_of(mesh, "v:out", [](const Point&) { return 0; });
+  const auto fixed = GDP::parameters::border_condition(GDP::Border_condition::FIXED);
+  const Filter filter = Filter::low_pass(0.5);
+  GDP_CHECK(GDP::filter_spectrum(mesh, linear, out, filter, fixed) == GDP::ok);
+  GDP_CHECK_NEAR(distance(mesh, out, [&](Vertex v) { return linear[v]; }), 0, 1e-7);
+  GDP_CHECK(GDP::filter_spectrum(mesh, rough, out, filter, fixed) == GDP::ok);
+  double inside = 0;
+  for(Vertex v : mesh.vertices())
+    if(CGAL::is_border(v, mesh))
+      GDP_CHECK(out[v] == rough[v]);
+    else
+      inside = (std::max)(inside, std::abs(out[v] - rough[v]));
+  GDP_CHECK(inside > 0.1);
+
+  const std::vector<Face> region(mesh.faces().begin(), mesh.faces().begin() + 200);
+  const Signal_map in_region = signal_of(mesh, "v:in_region", [](const Point&) { return -7; });
+  GDP_CHECK(GDP::filter_spectrum(region, mesh, rough, in_region, filter) == GDP::ok);
+  std::set<Vertex> inner(mesh.vertices().begin(), mesh.vertices().end());
+  for(Face f : mesh.faces())
+    if(int(f) >= 200)
+      for(Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
+        inner.erase(v);
+  GDP_CHECK(!inner.empty());
+  for(Vertex v : inner)
+    GDP_CHECK(in_region[v] != -7 && in_region[v] != rough[v]);
+}
+
+void test_refusals()
+{
+  Mesh mesh = mesh_of(grid(4, 4, [](double u, double v) { return Vec(u, v, 0); }));
+  const Signal_map out = signal_of(mesh, "v:out", [](const Point& p) { return p.x(); });
+  const double infinity = HUGE_VAL, nan = std::nan("");
+  for(const Filter& filter : {Filter::low_pass(0), Filter::low_pass(-1), Filter::high_pass(nan), Filter::band_pass(1, infinity),
+                              Filter::band_stop(1, 0), Filter::low_pass(1, 0)})
+    GDP_CHECK(GDP::filter_spectrum(mesh, out, out, filter) == GDP::error_invalid_parameter);
+  const auto not_finite = [&](double) { return nan; };
+  GDP_CHECK(GDP::filter_spectrum(mesh, out, out, not_finite) == GDP::error_invalid_parameter);
+  const auto identity = [](double) { return 1.; };
+  GDP_CHECK(GDP::filter_spectrum(mesh, out, out, identity, GDP::parameters::number_of_harmonics(-1)) == GDP::error_invalid_parameter);
+  GDP_CHECK_NEAR(distance(mesh, out, [&](Vertex v) { return mesh.point(v).x(); }), 0, 0);
+}
+
+} // namespace
+
 int main()
 {
-#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD
-  std::cout << "the spectrum needs CHOLMOD" << std::endl;
-  return 0;
-#endif
   Mesh mesh = mesh_of(sphere(8).scaled(10));
   mesh.add_vertex(Point(1, 2, 3));
   Eigen::VectorXd values;
@@ -42,5 +148,8 @@ int main()
   GDP_CHECK(GDP::spectrum(mesh, -1, values, harmonics) == GDP::error_invalid_parameter);
   GDP_CHECK(GDP::spectrum(mesh, 100000, values, harmonics) == GDP::error_invalid_parameter);
   GDP_CHECK(GDP::spectrum(Mesh(), 1, values, harmonics) == GDP::error_empty_mesh && values == before);
+  test_bands();
+  test_constrained_bands();
+  test_refusals();
   return GDP_TEST_RESULT();
 }
