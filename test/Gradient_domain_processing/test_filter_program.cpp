@@ -1104,6 +1104,14 @@ void test_said()
   GDP_CHECK(report.find("\"why_unchanged\": \"the gradient weight is 0\"") != std::string::npos);
   GDP_CHECK(report.find("\"changed\": 0,") != std::string::npos);
 
+  // less than single precision holds
+  check_copies("mesh.off single.stl --binary");
+  check_succeeds("single.stl out.stl --gradient-weight 1e-13", {"nothing has changed: all changes are smaller than what the numbers of the file can hold"});
+  check_succeeds("single.stl out.stl --gradient-weight 1e-13 --quiet");
+  GDP_CHECK(contents(folder / "out.stl") == contents(folder / "single.stl"));
+  fs::remove(folder / "single.stl");
+  fs::remove(folder / "out.stl");
+
   // parts of different size, and a face alone
   write(folder / "parts.off", "OFF\n7 3 0\n0 0 0\n100 0 0\n0 100 0\n100 100 1\n0 0 50\n1 0 50\n0 1 50\n3 0 1 2\n3 1 3 2\n3 4 5 6\n");
   check_succeeds("parts.off out.off", {"2 parts of very different size under one weight", "1 face that is connected to no other"});

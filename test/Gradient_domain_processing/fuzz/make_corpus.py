@@ -172,6 +172,8 @@ seed("ply_list_named_as_new", "a.ply b.ply --signal curvature", "ply\nformat asc
      "0 0 0 0\n0 1 0 0\n0 0 1 0\n0 1 1 1\n3 0 1 2\n3 1 3 2\n")
 seed("curvature_overflows", "a.off b.ply --signal curvature",
      off(([tuple(x * 1e-160 for x in p) for p in grid[0]], grid[1])))
+seed("off_lines", "a.off b.off --non-manifold along-lines --border fixed --gradient-weight 1e-2", off(THREE_ON_AN_EDGE))
+seed("ply_heights", "a.ply b.ply --axes z --missing-values", ascii_ply(grid).replace("1 1 0.299", "1 1 nan").replace("2 1 0.16", "2 1 nan"))
 seed("help", "--help", "")
 
 # broken ones
