@@ -17,10 +17,12 @@
 #include "gradient_domain_filter/signal.h"
 
 #include <exception>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <new>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -104,6 +106,19 @@ std::string joined(const std::vector<std::string>& words)
   return text;
 }
 
+// What nobody should have to find out for himself. Remarks about a surface that has not changed are of no use, and --verbose
+// has them in its summary.
+void say_all(const Options& options, const Report& report, Stage_clock& clock)
+{
+  if(!report.why_unchanged.empty())
+    say(clock, options.output_name() + ": nothing has changed: " + report.why_unchanged);
+  else if(!options.is_verbose)
+    for(const std::string& remark : report.remarks(options))
+      say(clock, options.input_name() + ": " + remark);
+  if(!report.not_kept.empty())
+    say(clock, options.output_name() + ": not kept: " + joined(report.not_kept));
+}
+
 void run(const Options& options)
 {
 #ifdef CGAL_LINKED_WITH_TBB
@@ -126,13 +141,16 @@ void run(const Options& options)
     form.format = options.output_format.value_or(file.format);
     check_output_form(options, form);
     check_form(file, form, options.output_name());
-    if(options.is_verbose || report_file)
+    if(!options.is_quiet || report_file)
       report.survey = survey(file.points, file.polygons);
   }
   filter(options, form, file, clock, report);
   {
     Timed_stage stage(clock, "write");
+    const std::size_t size = file.text.size(), hash = std::hash<std::string_view>()(file.text);
     std::string contents = mesh_file_contents(file, form);
+    if(report.why_unchanged.empty() && contents.size() == size && std::hash<std::string_view>()(contents) == hash)
+      report.why_unchanged = "all changes are smaller than what the numbers of the file can hold";
     output.write(is_compressed_name(options.output) ? packed(contents) : std::move(contents));
   }
   if(report_file)
@@ -140,10 +158,8 @@ void run(const Options& options)
   output.commit();
   if(report_file)
     report_file->commit();
-  if(!report.why_unchanged.empty())
-    say(clock, options.output_name() + ": nothing has changed: " + report.why_unchanged);
-  if(!report.not_kept.empty())
-    say(clock, options.output_name() + ": not kept: " + joined(report.not_kept));
+  if(!options.is_quiet)
+    say_all(options, report, clock);
   clock.clear();
   if(options.is_verbose)
     (options.output == "-" || options.report == "-" ? std::cerr : std::cout) << report.summary(options, clock) << std::flush;

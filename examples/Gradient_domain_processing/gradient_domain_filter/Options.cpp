@@ -110,6 +110,8 @@ void read_choices(const po::variables_map& given, Options& o)
                                                                       {"normals", GDP::Curvature_estimator::NORMALS}});
   o.border = choice<GDP::Border_condition>(given, "border", {{"free", GDP::Border_condition::FREE}, {"fixed", GDP::Border_condition::FIXED},
                                                              {"along-border", GDP::Border_condition::ALONG_BORDER}});
+  o.non_manifold = choice<GDP::Border_condition>(given, "non-manifold", {{"free", GDP::Border_condition::FREE}, {"fixed", GDP::Border_condition::FIXED},
+                                                                         {"along-lines", GDP::Border_condition::ALONG_BORDER}});
   o.solver = choice<Solver_kind>(given, "solver", {{"auto", Solver_kind::AUTO}, {"eigen", Solver_kind::EIGEN},
                                                    {"cholmod", Solver_kind::CHOLMOD}, {"cg", Solver_kind::CG}});
   o.normal_fit = choice<GDP::Normal_fit_kind>(given, "normal-fit", {{"faces", GDP::Normal_fit_kind::FACES}, {"edges", GDP::Normal_fit_kind::EDGES}});

@@ -11,6 +11,7 @@
 
 #include <CGAL/Gradient_domain_processing/enum.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -44,6 +45,7 @@ struct Options
   std::optional<int> passes;
   std::optional<double> noise_level, noise_scale, denoising_value_weight, max_displacement;
   CGAL::Gradient_domain_processing::Border_condition border = CGAL::Gradient_domain_processing::Border_condition::FREE;
+  CGAL::Gradient_domain_processing::Border_condition non_manifold = CGAL::Gradient_domain_processing::Border_condition::FREE;
   bool restores_volume = false, area_normalization = true, has_missing_values = false, keeps_normals = false;
   std::array<bool, 3> moves_along = {{true, true, true}};
   std::optional<double> weld_tolerance = 0.; // none: seams stay open
@@ -53,6 +55,11 @@ struct Options
   bool is_verbose = false, is_quiet = false;
 
   bool moves_vertices() const { return signal == Signal_kind::POSITION || signal == Signal_kind::NORMAL_TO_POSITION; }
+  // Missing values are coordinates along the one axis along which vertices move.
+  bool fills_heights() const
+  {
+    return has_missing_values && signal == Signal_kind::POSITION && std::count(moves_along.begin(), moves_along.end(), true) == 1;
+  }
   bool has_metric() const { return metric != CGAL::Gradient_domain_processing::Curvature_metric_kind::EMBEDDING; }
 
   // For messages.

@@ -136,15 +136,6 @@ std::string json_strings(const std::vector<std::string>& strings)
   return "[" + text + "]";
 }
 
-std::vector<std::string> all_remarks(const Report& report, const Options& o)
-{
-  std::vector<std::string> remarks = report.notices;
-  if(report.survey)
-    for(const std::string& remark : report.survey->remarks(o.weld_tolerance.has_value()))
-      remarks.push_back(remark);
-  return remarks;
-}
-
 void add_survey(const Survey& survey, Json_object& all)
 {
   all.add("vertices", std::to_string(survey.vertices))
@@ -178,6 +169,17 @@ void Report::measure(const std::vector<std::vector<double> >& before, const std:
   }
 }
 
+std::vector<std::string> Report::remarks(const Options& o) const
+{
+  std::vector<std::string> remarks = notices;
+  if(!survey)
+    return remarks;
+  const bool has_one_weight = o.operation != Operation::DENOISE && o.signal != Signal_kind::CURVATURE && o.gradient_weight_property.empty();
+  for(const std::string& remark : survey->remarks(o.weld_tolerance.has_value(), has_one_weight))
+    remarks.push_back(remark);
+  return remarks;
+}
+
 std::string Report::json(const Options& o, const Stage_clock& clock) const
 {
   Json_object seconds("  "), all("");
@@ -205,7 +207,7 @@ std::string Report::json(const Options& o, const Stage_clock& clock) const
     .add("changed", std::to_string(changed_values))
     .add("why_unchanged", why_unchanged.empty() ? "null" : json_string(why_unchanged))
     .add("updated_normals", std::to_string(updated_normals))
-    .add("remarks", json_strings(all_remarks(*this, o)))
+    .add("remarks", json_strings(remarks(o)))
     .add("not_kept", json_strings(not_kept))
     .add("seconds", seconds.text())
     .add("peak_memory_bytes", known(peak_memory()));
@@ -220,7 +222,7 @@ std::string Report::summary(const Options& o, const Stage_clock& clock) const
             + (survey->border_edges == 0 ? std::string("closed") : std::to_string(survey->border_edges) + " border edges") + ", area "
             + number(survey->area, "%.6g");
   text += "\n";
-  for(const std::string& remark : all_remarks(*this, o))
+  for(const std::string& remark : remarks(o))
     text += "  " + remark + "\n";
   if(o.signal == Signal_kind::CURVATURE)
     text += "curvature estimated\n";

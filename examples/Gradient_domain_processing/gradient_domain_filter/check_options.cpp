@@ -86,7 +86,7 @@ void check_operation(const po::variables_map& given, const Options& o)
   if(o.signal == Signal_kind::CURVATURE)
   {
     forbid(given, {"value-weight", "gradient-weight", "gradient-scale", "metric", "curvature-weight", "iterations", "constrain", "region",
-                   "value-weight-property", "gradient-weight-property", "gradient-scale-property", "border", "non-shrinking"},
+                   "value-weight-property", "gradient-weight-property", "gradient-scale-property", "border", "non-manifold", "non-shrinking"},
            "--signal curvature, which filters nothing");
     if(o.curvature == GDP::Curvature_estimator::NORMALS)
       throw Usage_error("--curvature normals contradicts --signal curvature, which knows jets only");
@@ -95,6 +95,8 @@ void check_operation(const po::variables_map& given, const Options& o)
     forbid(given, {"gradient-weight", "gradient-scale", "metric", "curvature-weight", "value-weight-property", "gradient-weight-property",
                    "gradient-scale-property", "non-shrinking", "restore-volume", "solver"},
            "--operation denoise, which chooses from the data");
+  if(o.operation == Operation::DENOISE && o.non_manifold == GDP::Border_condition::ALONG_BORDER)
+    throw Usage_error("--non-manifold along-lines contradicts --operation denoise, which leaves such lines free or fixed");
   if(o.operation == Operation::ENHANCE_DETAILS)
     forbid(given, {"non-shrinking"}, "--operation enhance-details");
 }
@@ -115,7 +117,8 @@ void check_needs(const po::variables_map& given, const Options& o)
   require(given, {"iterations"}, is_filter && !is_fit, "--operation filter and a signal other than normal-to-position");
   require(given, {"non-shrinking"}, is_filter && !is_fit, "--operation filter and a signal other than normal-to-position");
   require(given, {"restore-volume", "axes", "max-displacement", "keep-normals"}, o.moves_vertices(), "a signal that moves vertices");
-  require(given, {"missing-values"}, o.signal == Signal_kind::PROPERTY, "--signal with the name of a property");
+  require(given, {"missing-values"}, o.signal == Signal_kind::PROPERTY || o.fills_heights(),
+          "--signal with the name of a property, or --axes with one axis");
 }
 
 void check_numbers(const Options& o)

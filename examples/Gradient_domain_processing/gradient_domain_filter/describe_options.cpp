@@ -52,17 +52,20 @@ po::options_description place_options(Options& o)
   d.add_options()
     ("constrain", po::value(&o.constrained_property)->value_name("PROPERTY"), "vertices where it is not 0 are kept")
     ("region", po::value(&o.region_property)->value_name("PROPERTY"),
-     "only faces with three vertices where it is not 0 are worked on; all other vertices are kept")
+     "only faces all of whose vertices have another number than 0 are worked on; all other vertices are kept")
     ("value-weight-property", po::value(&o.value_weight_property)->value_name("PROPERTY"), "alpha at every vertex")
     ("gradient-weight-property", po::value(&o.gradient_weight_property)->value_name("PROPERTY"),
      "beta at every vertex; that of a face is the mean of its three")
     ("gradient-scale-property", po::value(&o.gradient_scale_property)->value_name("PROPERTY"), "lambda, likewise")
     ("border", po::value<std::string>()->default_value("free"),
      "free | fixed | along-border (the border is filtered as a curve of its own)")
+    ("non-manifold", po::value<std::string>()->default_value("free"),
+     "free | fixed | along-lines: what happens to edges with more than two faces, likewise; the sheets stay together")
     ("restore-volume", "scale every component so that it encloses the volume it enclosed before")
     ("axes", po::value<std::string>()->value_name("AXES"), "x, y, z, xy, xz or yz: vertices move along these only, as heights of terrain")
     ("max-displacement", po::value<double>()->value_name("D"), "no vertex moves further, in the unit of the file")
-    ("missing-values", "NaN in a property that is the signal means that there is no value: it is filled in")
+    ("missing-values", "NaN in a property that is the signal, or in a coordinate along the one axis of --axes, means that there is no "
+     "value: it is filled in")
     ("weld-tolerance", po::value<double>()->value_name("T"),
      "border vertices so close are one, relative to the extent; without it those of the same place")
     ("no-weld", "border vertices of the same place are not one: seams open");
@@ -83,7 +86,7 @@ po::options_description file_options(Options& o)
     ("threads", po::value(&o.threads), "at most so many threads (TBB)")
     ("report", po::value(&o.report)->value_name("FILE.json"), "write what was done, with times and memory")
     ("verbose", "say what was done")
-    ("quiet", "no progress on the terminal")
+    ("quiet", "neither progress on the terminal nor remarks: nothing but errors")
     ("help", "this text")
     ("version", "the version");
   return d;

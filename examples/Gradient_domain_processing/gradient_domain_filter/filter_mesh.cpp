@@ -9,7 +9,30 @@
 
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/memory_estimate.h>
 
-CGAL::Gradient_domain_processing::Error_code filter_mesh(const Options& options, Mesh_file& file, Stage_clock& clock, Filter_facts& facts)
+#include <utility>
+#include <vector>
+
+using CGAL::Gradient_domain_processing::Error_code;
+
+namespace {
+
+// On failure the points are what they were.
+class Restored_points
+{
+  Mesh_file& m_file;
+  std::vector<Point> m_points;
+
+public:
+  explicit Restored_points(Mesh_file& file) : m_file(file), m_points(file.points) {}
+  ~Restored_points()
+  {
+    if(!m_points.empty())
+      m_file.points = std::move(m_points);
+  }
+  void forget() { m_points.clear(); }
+};
+
+Error_code filter(const Options& options, Mesh_file& file, Stage_clock& clock, Filter_facts& facts)
 {
   if(options.operation == Operation::DENOISE)
     return denoise_mesh(options, file, clock, facts);
@@ -27,4 +50,19 @@ CGAL::Gradient_domain_processing::Error_code filter_mesh(const Options& options,
       return filter_with_default(options, file, clock, facts);
     default: return filter_with_default(options, file, clock, facts);
   }
+}
+
+} // namespace
+
+Error_code filter_mesh(const Options& options, Mesh_file& file, Stage_clock& clock, Filter_facts& facts)
+{
+  if(!options.fills_heights())
+    return filter(options, file, clock, facts);
+  Restored_points before(file);
+  Error_code code = fill_missing_heights(options, file, clock);
+  if(code == CGAL::Gradient_domain_processing::ok)
+    code = filter(options, file, clock, facts);
+  if(code == CGAL::Gradient_domain_processing::ok)
+    before.forget();
+  return code;
 }

@@ -35,4 +35,7 @@ CGAL::Gradient_domain_processing::Error_code filter_with_cg(const Options&, Mesh
 CGAL::Gradient_domain_processing::Error_code denoise_mesh(const Options&, Mesh_file&, Stage_clock&, Filter_facts&);
 CGAL::Gradient_domain_processing::Error_code filter_face_properties(const Options&, Mesh_file&, Stage_clock&, Filter_facts&);
 
+// NaN among the coordinates along the one axis becomes a height between those around it.
+CGAL::Gradient_domain_processing::Error_code fill_missing_heights(const Options&, Mesh_file&, Stage_clock&);
+
 #endif // GRADIENT_DOMAIN_FILTER_FILTER_MESH_H

@@ -15,6 +15,8 @@
 #include <CGAL/Gradient_domain_processing/fit_to_normals.h>
 #include <CGAL/Gradient_domain_processing/smooth.h>
 
+#include <cmath>
+
 namespace filter_mesh_impl {
 
 template <class SparseLinearSolver>
@@ -160,7 +162,11 @@ private:
       return code;
     std::vector<double> total;
     for(const Curvature& k : curvatures)
+    {
       total.push_back(k.min_curvature * k.min_curvature + k.max_curvature * k.max_curvature);
+      if(!std::isfinite(total.back()))
+        return GDP::error_result_out_of_range;
+    }
     set_curvature(total, m_file);
     return GDP::ok;
   }
