@@ -188,10 +188,6 @@ void test_constrained()
 
 int main()
 {
-#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD
-  std::cout << "the spectrum needs CHOLMOD" << std::endl;
-  return 0;
-#endif
   test_sphere();
   test_bands();
   test_rational_filters();

@@ -127,10 +127,6 @@ void test_refusals()
 
 int main()
 {
-#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD
-  std::cout << "the spectrum needs CHOLMOD" << std::endl;
-  return 0;
-#endif
   Mesh mesh = mesh_of(sphere(8).scaled(10));
   mesh.add_vertex(Point(1, 2, 3));
   Eigen::VectorXd values;

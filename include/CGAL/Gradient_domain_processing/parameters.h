@@ -51,7 +51,9 @@
   ADD(noise_level)                     \
   ADD(noise_scale)                     \
   ADD(denoising_summary)               \
-  ADD(number_of_harmonics)
+  ADD(number_of_harmonics)             \
+  ADD(hessian_weight)                  \
+  ADD(hessian_kind)
 
 #if CGAL_VERSION_NR < 1060000000
 #define CGAL_GDP_NAMES(ADD) CGAL_GDP_OWN_NAMES(ADD) ADD(concurrency_tag)

@@ -72,8 +72,6 @@ inline Error_code free_eigenpairs(const Eigen::SparseMatrix<double>& a, const Ei
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `face_metric_map`, `vertex_point_map`,
  *        `vertex_index_map`, `concurrency_tag` of `mass_matrix()`, and `vertex_is_constrained_map`: where harmonics are zero
  *
- * Needs CHOLMOD: with Eigen's factorization alone bands may be found incomplete, which is answered with an error code.
- *
  * \return `ok`; or what is wrong, and then the results are as they were
  */
 template <class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>

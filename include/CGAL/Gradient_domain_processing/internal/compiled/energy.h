@@ -12,6 +12,7 @@
 #include <CGAL/Gradient_domain_processing/internal/energy/prolongation_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/recenter_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/right_hand_side_impl.h>
+#include <CGAL/Gradient_domain_processing/internal/energy/second_order_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/sparsity_pattern_impl.h>
 
 #endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_COMPILED_ENERGY_H

@@ -10,6 +10,7 @@
 #include <CGAL/Gradient_domain_processing/Error_code.h>
 #include <CGAL/Gradient_domain_processing/visitor.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/Energy_weights.h>
+#include <CGAL/Gradient_domain_processing/internal/energy/second_order.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/sparsity_pattern.h>
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/Any_linear_solver.h>
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/ordering/Degrees_of_freedom.h>
@@ -24,8 +25,9 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// The system (alpha M + beta S) (g - f) = beta (D v - S f) (eq. 2) on arrays. It is solved for the change of the signal, so that the
-// rounding error is that of the change, and what need not change does not.
+// The system (alpha M + beta S) (g - f) = beta (D v - S f) (eq. 2) on arrays; with a term of second order,
+// (alpha M + beta S + gamma Q) (g - f) = beta (D v - S f) - gamma Q f. It is solved for the change of the signal, so that the rounding
+// error is that of the change, and what need not change does not.
 class Linear_system
 {
 public:
@@ -38,6 +40,7 @@ public:
   {
     Triangle_metrics metrics;
     Energy_weights weights;
+    Second_order_energy second_order;
   };
 
 private:
@@ -47,9 +50,10 @@ private:
   Sparse_matrix m_prolongation;          // from the former to the latter, where there are any
   Lists m_pattern;                       // of the matrix that is assembled, by column, for as long as the system lives
   Sparse_matrix m_matrix;                // with it, from the analysis to the first factorization
+  Sparse_matrix m_second_order;          // gamma Q over all vertices, where there is such a term
   Sparse_matrix m_unshifted;
   std::unique_ptr<Any_linear_solver> m_solver;
-  bool m_is_analyzed = false, m_is_factorized = false, m_values_weigh_little = false;
+  bool m_is_analyzed = false, m_is_pattern_analyzed = false, m_is_factorized = false, m_values_weigh_little = false;
 
 public:
   explicit Linear_system(std::unique_ptr<Any_linear_solver> solver) : m_solver(std::move(solver)) {}
@@ -73,6 +77,15 @@ public:
     m_is_factorized = false;
   }
 
+  // With or without it the matrix has another pattern.
+  void set_second_order(Second_order_energy energy)
+  {
+    if(!energy && !has_second_order())
+      return;
+    m_coefficients.second_order = std::move(energy);
+    m_is_analyzed = m_is_factorized = false;
+  }
+
   // lambda is on the right-hand side only
   void set_scale(double scale) { m_coefficients.weights.set_scale(scale); }
 
@@ -80,6 +93,8 @@ public:
   Coefficients exchange_coefficients(Coefficients coefficients)
   {
     std::swap(m_coefficients, coefficients);
+    if(m_coefficients.second_order || coefficients.second_order)
+      m_is_analyzed = false;
     m_is_factorized = false;
     return coefficients;
   }
@@ -100,6 +115,9 @@ public:
 
 private:
   bool has_virtual_vertices() const { return mesh.virtual_vertices.size() > 0; }
+  bool has_second_order() const { return bool(m_coefficients.second_order); }
+  // Not that of neighbors: the solver sees it with the first values.
+  bool has_own_pattern() const { return has_virtual_vertices() || has_second_order(); }
   const Degrees_of_freedom& assembled_dofs() const { return has_virtual_vertices() ? m_dofs_with_virtual_vertices : m_dofs; }
 
   // Orders the degrees of freedom, makes the pattern and lets the solver analyze it. Depends on the connectivity and the constrained
@@ -107,6 +125,9 @@ private:
   Error_code analyze(Progress& progress);
 
   void assemble_into(Sparse_matrix& matrix);
+
+  // gamma Q f
+  void subtract_second_order(const Signal& by_vertex, Eigen::MatrixXd& residual) const;
 
   // Components of very different size, or nearly degenerate triangles, may lose the positive definiteness to rounding. A shift
   // of the diagonal brings it back, and refinement takes the shift out of the solution.

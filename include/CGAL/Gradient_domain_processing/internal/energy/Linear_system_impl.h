@@ -24,7 +24,7 @@ CGAL_GDP_INLINE Error_code Linear_system::factorize(Progress& progress)
 {
   if(m_is_factorized && (m_dofs.size() == 0 || m_solver->has_factor()))
     return ok;
-  if(has_floating_component(mesh, m_coefficients.weights, is_constrained))
+  if(has_floating_component(mesh, m_coefficients.weights, has_second_order(), is_constrained))
     return error_unconstrained;
   if(const Error_code code = analyze(progress))
     return code;
@@ -40,6 +40,13 @@ CGAL_GDP_INLINE Error_code Linear_system::factorize(Progress& progress)
     }
     if(!progress.go_on())
       return error_cancelled;
+    if(!m_is_pattern_analyzed)
+    {
+      Stage_scope stage(progress, Stage::ANALYZE);
+      if(const Error_code code = m_solver->analyze(matrix))
+        return code;
+      m_is_pattern_analyzed = true;
+    }
     Stage_scope stage(progress, Stage::FACTOR);
     if(const Error_code code = factorize_or_shift(matrix, progress))
       return code;
@@ -60,6 +67,8 @@ Error_code Linear_system::solve(const Target_field& target, Progress& progress, 
       return error_cancelled;
     Stage_scope stage(progress, Stage::ASSEMBLE);
     residual = target_residual(mesh, m_coefficients.metrics, m_coefficients.weights, assembled_dofs(), target, parallel);
+    if(has_second_order())
+      subtract_second_order(target.by_vertex(), residual);
   }
   else
     residual.resize(0, target.channels());
@@ -75,12 +84,16 @@ CGAL_GDP_INLINE Error_code Linear_system::analyze(Progress& progress)
   Stage_scope stage(progress, Stage::ANALYZE);
 
   const Lists rings = mesh.one_rings(parallel);
+  const auto neighbors = [&] {
+    const Lists first = has_virtual_vertices() ? rings_of_polygons(rings, mesh) : rings;
+    return has_second_order() ? second_rings(first) : first;
+  };
   std::vector<char> is_free(mesh.points.size());
   for(int v = 0; v < mesh.number_of_vertices(); ++v)
     is_free[v] = !is_constrained[v] && mesh.corners.size(v) > 0 && v < mesh.first_virtual_vertex();
   bool is_cancelled = false;
   if(m_solver->needs_order)
-    m_dofs = elimination_order(mesh.points, has_virtual_vertices() ? rings_of_polygons(rings, mesh) : rings, is_free, parallel,
+    m_dofs = elimination_order(mesh.points, neighbors(), is_free, parallel,
                                [&] { return !(is_cancelled = !progress.go_on()); });
   else
     m_dofs = numbered_in_memory_order(is_free);
@@ -88,11 +101,13 @@ CGAL_GDP_INLINE Error_code Linear_system::analyze(Progress& progress)
     return error_cancelled;
   if(has_virtual_vertices())
     m_dofs_with_virtual_vertices = with_virtual_vertices(m_dofs, mesh);
-  m_pattern = sparsity_pattern(rings, assembled_dofs(), m_solver->reads_lower_triangle && !has_virtual_vertices(), parallel);
+  m_pattern = sparsity_pattern(rings, assembled_dofs(), m_solver->reads_lower_triangle && !has_own_pattern(), parallel);
   Error_code code = ok;
   if(has_virtual_vertices())
-    m_prolongation = prolongation(m_dofs, mesh); // the solver sees the pattern with the first values
-  else
+    m_prolongation = prolongation(m_dofs, mesh);
+  m_matrix = Sparse_matrix();
+  m_is_pattern_analyzed = !has_own_pattern();
+  if(m_is_pattern_analyzed)
   {
     set_pattern(m_pattern, parallel, m_matrix);
     code = m_dofs.size() > 0 ? m_solver->analyze(m_matrix) : ok;
@@ -105,14 +120,23 @@ CGAL_GDP_INLINE void Linear_system::assemble_into(Sparse_matrix& matrix)
 {
   if(matrix.rows() == 0)
     set_pattern(m_pattern, parallel, matrix);
-  m_values_weigh_little = assemble(mesh, m_coefficients.metrics, m_coefficients.weights, assembled_dofs(), parallel, matrix);
-  if(!has_virtual_vertices())
-    return;
-  const Sparse_matrix product = m_prolongation.transpose() * Sparse_matrix(matrix * m_prolongation);
-  if(m_solver->reads_lower_triangle)
-    matrix = product.triangularView<Eigen::Lower>();
-  else
-    matrix = product;
+  m_values_weigh_little = assemble(mesh, m_coefficients.metrics, m_coefficients.weights, assembled_dofs(), parallel, matrix,
+                                   !has_second_order());
+  if(has_second_order())
+  {
+    m_second_order = m_coefficients.second_order(mesh, m_coefficients.metrics, parallel);
+    matrix += restricted(m_second_order, assembled_dofs());
+  }
+  if(has_virtual_vertices())
+    matrix = Sparse_matrix(m_prolongation.transpose() * Sparse_matrix(matrix * m_prolongation));
+  if(has_own_pattern() && m_solver->reads_lower_triangle)
+    matrix = Sparse_matrix(matrix.triangularView<Eigen::Lower>());
+}
+
+CGAL_GDP_INLINE void Linear_system::subtract_second_order(const Signal& by_vertex, Eigen::MatrixXd& residual) const
+{
+  const Eigen::MatrixXd product = m_second_order * by_vertex;
+  for_each_degree_of_freedom(parallel, assembled_dofs(), [&](int v, int row) { residual.row(row) -= product.row(v); });
 }
 
 CGAL_GDP_INLINE Error_code Linear_system::factorize_or_shift(Sparse_matrix& matrix, Progress& progress)
@@ -140,7 +164,11 @@ CGAL_GDP_INLINE Error_code Linear_system::solve_residual(Eigen::MatrixXd& residu
     return ok;
   }
   if(displaces_constraints)
+  {
     move_constraints_to_right_hand_side(displacement, residual);
+    if(has_second_order())
+      subtract_second_order(displacement, residual);
+  }
   if(has_virtual_vertices())
     residual = (m_prolongation.transpose() * residual).eval();
   Stage_scope stage(progress, Stage::SOLVE);

@@ -16,7 +16,8 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-bool has_floating_component(const Indexed_triangles& mesh, const Energy_weights& weights, const std::vector<char>& is_constrained);
+bool has_floating_component(const Indexed_triangles& mesh, const Energy_weights& weights, bool has_second_order,
+                            const std::vector<char>& is_constrained);
 
 // The same of the border's curves.
 bool has_floating_border(const Indexed_triangles& mesh, const std::vector<Border_edge>& edges, const Energy_weights& weights,

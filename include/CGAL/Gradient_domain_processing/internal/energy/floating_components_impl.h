@@ -44,7 +44,8 @@ public:
   }
 };
 
-CGAL_GDP_INLINE bool has_floating_component(const Indexed_triangles& mesh, const Energy_weights& weights, const std::vector<char>& is_constrained)
+CGAL_GDP_INLINE bool has_floating_component(const Indexed_triangles& mesh, const Energy_weights& weights, bool has_second_order,
+                                            const std::vector<char>& is_constrained)
 {
   if(weights.value_at_vertex.empty() && weights.value > 0)
     return false;
@@ -52,7 +53,7 @@ CGAL_GDP_INLINE bool has_floating_component(const Indexed_triangles& mesh, const
   for(int f = 0; f < mesh.number_of_triangles(); ++f)
   {
     const auto& t = mesh.triangles[f];
-    if(weights.gradient_at(f) > 0)
+    if(has_second_order || weights.gradient_at(f) > 0)
       for(int i = 1; i < 3; ++i)
         pieces.connect(t[0], t[i]);
     if(weights.value_at(t[0]) > 0 || weights.value_at(t[1]) > 0 || weights.value_at(t[2]) > 0)

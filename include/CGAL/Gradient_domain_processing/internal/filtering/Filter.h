@@ -7,6 +7,7 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FILTER_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FILTER_H
 
+#include <CGAL/Gradient_domain_processing/Hessian_kind.h>
 #include <CGAL/Gradient_domain_processing/enum.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/Linear_system.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/Surface_elements.h>
@@ -67,6 +68,9 @@ public:
     return mesh().corners.size(v) > 0
         && (!system.is_constrained[v] || (border_condition == Border_condition::ALONG_BORDER && !is_constrained[v]));
   }
+
+  // gamma |hess g|^2, in units of the arrays; 0 for none
+  void set_second_order(double weight, Hessian_kind kind);
 
   // The volume has a meaning where all of a closed mesh moves freely.
   bool encloses_volume() const;

@@ -16,6 +16,7 @@
 #include <CGAL/Gradient_domain_processing/internal/energy/target_field/Normal_fit.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/target_field/Scaled_gradient.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/target_field/Seam.h>
+#include <CGAL/Gradient_domain_processing/internal/higher_order/hessian_energy.h>
 #include <CGAL/Gradient_domain_processing/internal/separate_compilation.h>
 
 namespace CGAL {
@@ -30,6 +31,7 @@ struct Filter::Scaled_difference_of_vertices
   const Signal& signal;
 
   int channels() const { return int(signal.cols()); }
+  const Signal& by_vertex() const { return signal; }
 
   template <class Channels>
   void residual(int f, int i, int j, Channels& along) const
@@ -48,6 +50,16 @@ CGAL_GDP_INLINE void Filter::constrain(std::vector<char> constrained)
       if(mesh().is_on_border[v])
         constrained[v] = 1;
   system.set_constrained(std::move(constrained));
+}
+
+CGAL_GDP_INLINE void Filter::set_second_order(double weight, Hessian_kind kind)
+{
+  if(weight == 0)
+    system.set_second_order({});
+  else
+    system.set_second_order([weight, kind](const Indexed_triangles& triangles, const Triangle_metrics& metrics, bool parallel) {
+      return Sparse_matrix(weight * hessian_energy(triangles, metrics, kind, parallel));
+    });
 }
 
 CGAL_GDP_INLINE bool Filter::encloses_volume() const

@@ -19,9 +19,6 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// One value a vertex: where several were welded, their mean.
-Signal mean_by_vertex(const Indexed_triangles& mesh, const Signal& signal);
-
 // What a signal by vertex has beside the harmonic function that agrees with it at the constrained vertices: the part that
 // harmonics, which are zero there, make up. In components without such vertices it is all of the signal.
 Error_code subtract_harmonic_extension(Filter& filter, Signal& signal);

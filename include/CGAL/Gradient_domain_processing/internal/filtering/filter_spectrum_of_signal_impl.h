@@ -20,39 +20,12 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-CGAL_GDP_INLINE Signal mean_by_vertex(const Indexed_triangles& mesh, const Signal& signal)
-{
-  Signal means = Signal::Zero(mesh.number_of_vertices(), signal.cols());
-  std::vector<int> count(mesh.points.size(), 0);
-  for(int row = 0; row < mesh.number_of_rows(); ++row)
-  {
-    means.row(mesh.vertex_of(row)) += signal.row(row);
-    ++count[std::size_t(mesh.vertex_of(row))];
-  }
-  for(int v = 0; v < mesh.number_of_vertices(); ++v)
-    if(count[std::size_t(v)] > 1)
-      means.row(v) /= count[std::size_t(v)];
-  return means;
-}
-
 CGAL_GDP_INLINE Error_code subtract_harmonic_extension(Filter& filter, Signal& signal)
 {
   const std::vector<char> own_constrained = filter.system.is_constrained;
   if(std::find(own_constrained.begin(), own_constrained.end(), 1) == own_constrained.end())
     return ok;
-  struct Restored
-  {
-    Linear_system& system;
-    std::vector<char> is_constrained;
-    Energy_weights weights;
-    ~Restored()
-    {
-      system.set_constrained(std::move(is_constrained));
-      system.set_weights(weights);
-    }
-  };
   const Indexed_triangles& mesh = filter.mesh();
-  const Restored scope{filter.system, own_constrained, filter.system.weights()};
   const Components components = connected_components(mesh);
   std::vector<char> floats(std::size_t(components.count), 1);
   for(std::size_t v = 0; v < own_constrained.size(); ++v)
@@ -62,12 +35,23 @@ CGAL_GDP_INLINE Error_code subtract_harmonic_extension(Filter& filter, Signal& s
   for(std::size_t v = 0; v < constrained.size(); ++v)
     if(floats[std::size_t(components.of_vertex[v])])
       constrained[v] = 1;
-  Energy_weights weights;
-  weights.value = 0;
-  weights.gradient = 1;
-  weights.set_scale(0);
+  struct Scope
+  {
+    Linear_system& system;
+    std::vector<char> is_constrained;
+    Linear_system::Coefficients own;
+    ~Scope()
+    {
+      system.set_constrained(std::move(is_constrained));
+      system.exchange_coefficients(std::move(own));
+    }
+  };
+  Linear_system::Coefficients of_extension;
+  of_extension.metrics = filter.system.metrics();
+  of_extension.weights.value = 0;
+  of_extension.weights.gradient = 1;
+  const Scope scope{filter.system, own_constrained, filter.system.exchange_coefficients(std::move(of_extension))};
   filter.system.set_constrained(constrained);
-  filter.system.set_weights(weights);
   Signal change;
   if(const Error_code code = filter.solve_by_vertex(signal, change))
     return code;

@@ -65,9 +65,10 @@ Error_code read_weights(const NamedParameters& np, const Surface_elements<Surfac
   using namespace CGAL::internal_np;
   Energy_weights weights;
   double beta = parameter(np, gradient_weight, 1e-4);
+  const double gamma = parameter(np, hessian_weight, 0.);
   weights.value = parameter(np, value_weight, 1.);
   weights.scale = parameter(np, gradient_scale, 0.);
-  if(!is_weight(weights.value) || !is_weight(beta) || !std::isfinite(weights.scale))
+  if(!is_weight(weights.value) || !is_weight(beta) || !is_weight(gamma) || !std::isfinite(weights.scale))
     return error_invalid_weight;
   const auto is_bad = [](const std::vector<double>& numbers, int& culprit) {
     culprit = int(numbers.size()) - 1;
@@ -97,6 +98,8 @@ Error_code read_weights(const NamedParameters& np, const Surface_elements<Surfac
     weights.scale_at_triangle = unless_constant(at_triangles(filter.mesh(), std::move(numbers)), weights.scale);
   }
   weights.gradient = beta * filter.squared_length_unit;
+  filter.set_second_order(gamma * filter.squared_length_unit * filter.squared_length_unit,
+                          parameter(np, hessian_kind, Hessian_kind::SQUARED_HESSIAN));
   filter.system.set_weights(weights);
   return ok;
 }

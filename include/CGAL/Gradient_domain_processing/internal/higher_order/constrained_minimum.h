@@ -18,6 +18,9 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
+// The rows and columns of the free degrees of freedom, numbered in their order; the lower triangle only.
+Eigen::SparseMatrix<double> free_block(const Eigen::SparseMatrix<double>& matrix, const std::vector<int>& free_index, int count);
+
 // Minimizes x^T Q x, channel by channel, over the free rows of x; the constrained ones are eliminated and stay to the bit. It is solved
 // for the change: where x is a minimizer already, it stays but for rounding.
 Error_code constrained_minimum(const Eigen::SparseMatrix<double>& matrix, const std::vector<char>& is_free, Eigen::MatrixXd& x);

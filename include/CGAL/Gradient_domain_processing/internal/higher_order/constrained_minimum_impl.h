@@ -17,7 +17,6 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// The rows and columns of the free degrees of freedom, numbered in their order; the lower triangle only.
 CGAL_GDP_INLINE Eigen::SparseMatrix<double> free_block(const Eigen::SparseMatrix<double>& matrix, const std::vector<int>& free_index, int count)
 {
   Eigen::SparseMatrix<double> block(count, count);

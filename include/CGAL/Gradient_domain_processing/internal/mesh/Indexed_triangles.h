@@ -13,6 +13,7 @@
 #include <CGAL/Gradient_domain_processing/internal/parallel/parallel_for.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <array>
 #include <cmath>

@@ -99,6 +99,7 @@ Error_code read_vectors(Map map, const Surface_elements<Surface>& elements, cons
 }
 
 // By vertex: the mean over its rows.
+Signal mean_by_vertex(const Indexed_triangles& mesh, const Signal& signal);
 std::vector<Vec3> mean_over_rows(const Indexed_triangles& mesh, const Signal& vectors);
 
 // The points of a surface that moved: of a seam, all sides by the same vector.

@@ -14,20 +14,25 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-CGAL_GDP_INLINE std::vector<Vec3> mean_over_rows(const Indexed_triangles& mesh, const Signal& vectors)
+CGAL_GDP_INLINE Signal mean_by_vertex(const Indexed_triangles& mesh, const Signal& signal)
 {
   if(mesh.vertex_of_row.empty())
-    return as_vectors(vectors);
-  std::vector<Vec3> sums(mesh.points.size(), Vec3(0, 0, 0));
+    return signal;
+  Signal means = Signal::Zero(mesh.number_of_vertices(), signal.cols());
   std::vector<int> counts(mesh.points.size(), 0);
   for(int row = 0; row < mesh.number_of_rows(); ++row)
   {
-    sums[mesh.vertex_of(row)] += vectors.row(row).transpose();
-    ++counts[mesh.vertex_of(row)];
+    means.row(mesh.vertex_of(row)) += signal.row(row);
+    ++counts[std::size_t(mesh.vertex_of(row))];
   }
-  for(std::size_t v = 0; v < sums.size(); ++v)
-    sums[v] /= counts[v];
-  return sums;
+  for(int v = 0; v < mesh.number_of_vertices(); ++v)
+    means.row(v) /= counts[std::size_t(v)];
+  return means;
+}
+
+CGAL_GDP_INLINE std::vector<Vec3> mean_over_rows(const Indexed_triangles& mesh, const Signal& vectors)
+{
+  return as_vectors(mean_by_vertex(mesh, vectors));
 }
 
 } // namespace internal
