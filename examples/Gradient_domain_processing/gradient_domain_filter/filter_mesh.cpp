@@ -5,9 +5,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "filter_mesh.h"
+#include "choose_solver.h"
 #include "signal.h"
 
-#include <CGAL/Gradient_domain_processing/internal/linear_solver/memory_estimate.h>
+namespace {
+
+// Conjugate gradients that do not converge leave everything as it was.
+CGAL::Gradient_domain_processing::Error_code filter_with_best(const Options& options, Mesh_file& file, Stage_clock& clock, Filter_facts& facts)
+{
+  if(!prefers_conjugate_gradients(options, file))
+    return filter_with_default(options, file, clock, facts);
+  const auto code = filter_with_cg(options, file, clock, facts);
+  return code == CGAL::Gradient_domain_processing::error_not_converged ? filter_with_default(options, file, clock, facts) : code;
+}
+
+} // namespace
 
 #include <utility>
 #include <vector>
@@ -44,10 +56,7 @@ Error_code filter(const Options& options, Mesh_file& file, Stage_clock& clock, F
     case Solver_kind::EIGEN: return filter_with_eigen(options, file, clock, facts);
 #endif
     case Solver_kind::CG: return filter_with_cg(options, file, clock, facts);
-    case Solver_kind::AUTO:
-      if(!CGAL::Gradient_domain_processing::internal::cholesky_fits(file.points.size()))
-        return filter_with_cg(options, file, clock, facts);
-      return filter_with_default(options, file, clock, facts);
+    case Solver_kind::AUTO: return filter_with_best(options, file, clock, facts);
     default: return filter_with_default(options, file, clock, facts);
   }
 }
