@@ -175,7 +175,7 @@ std::vector<std::string> Report::remarks(const Options& o) const
   if(!survey)
     return remarks;
   const bool has_one_weight = o.operation != Operation::DENOISE && o.signal != Signal_kind::CURVATURE && o.gradient_weight_property.empty();
-  for(const std::string& remark : survey->remarks(o.weld_tolerance.has_value(), has_one_weight))
+  for(const std::string& remark : survey->remarks(o.weld_tolerance.has_value(), o.weld_tolerance.value_or(0) > 0, has_one_weight))
     remarks.push_back(remark);
   return remarks;
 }

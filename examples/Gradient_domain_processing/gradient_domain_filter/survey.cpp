@@ -210,7 +210,7 @@ std::string counted(std::size_t n, const std::string& one, const std::string& ma
 
 } // namespace
 
-std::vector<std::string> Survey::remarks(bool seams_are_welded, bool has_one_weight) const
+std::vector<std::string> Survey::remarks(bool seams_are_welded, bool near_ones_are_welded, bool has_one_weight) const
 {
   std::vector<std::string> remarks;
   if(seam_vertices > 0 && !seams_are_welded) // else the library says so
@@ -224,11 +224,11 @@ std::vector<std::string> Survey::remarks(bool seams_are_welded, bool has_one_wei
     remarks.push_back(counted(repeated_faces, "face that is", "faces that are") + " there already, with the same vertices: such weigh twice");
   if(flat_faces > 0)
     remarks.push_back(counted(flat_faces, "face", "faces") + " without area");
-  if(has_one_weight && components > 1 && smallest_extent < largest_extent / 10)
+  if(has_one_weight && !near_ones_are_welded && components > 1 && smallest_extent < largest_extent / 10)
     remarks.push_back(counted(components, "part", "parts") + " of very different size under one weight: the smallest is "
                       + std::to_string(int(std::round(largest_extent / (std::max)(smallest_extent, largest_extent * 1e-6))))
                       + " times smaller than the largest and changes most");
-  if(lone_faces > 0 && faces > 1)
+  if(lone_faces > 0 && faces > 1 && !near_ones_are_welded)
     remarks.push_back(counted(lone_faces, "face that is", "faces that are") + " connected to no other"
                       + (lone_faces > faces / 2 ? ": does a --weld-tolerance join them?" : ""));
   if(unused_vertices > 0)
