@@ -8,25 +8,21 @@
 #include "choose_solver.h"
 #include "signal.h"
 
-namespace {
-
-// Conjugate gradients that do not converge leave everything as it was.
-CGAL::Gradient_domain_processing::Error_code filter_with_best(const Options& options, Mesh_file& file, Stage_clock& clock, Filter_facts& facts)
-{
-  if(!prefers_conjugate_gradients(options, file))
-    return filter_with_default(options, file, clock, facts);
-  const auto code = filter_with_cg(options, file, clock, facts);
-  return code == CGAL::Gradient_domain_processing::error_not_converged ? filter_with_default(options, file, clock, facts) : code;
-}
-
-} // namespace
-
 #include <utility>
 #include <vector>
 
 using CGAL::Gradient_domain_processing::Error_code;
 
 namespace {
+
+// Conjugate gradients that do not converge leave everything as it was.
+Error_code filter_with_best(const Options& options, Mesh_file& file, Stage_clock& clock, Filter_facts& facts)
+{
+  if(!prefers_conjugate_gradients(options, file))
+    return filter_with_default(options, file, clock, facts);
+  const auto code = filter_with_cg(options, file, clock, facts);
+  return code == CGAL::Gradient_domain_processing::error_not_converged ? filter_with_default(options, file, clock, facts) : code;
+}
 
 // On failure the points are what they were.
 class Restored_points
