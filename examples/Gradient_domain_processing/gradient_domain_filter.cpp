@@ -19,8 +19,10 @@
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <locale>
 #include <memory>
 #include <new>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -68,11 +70,11 @@ std::string why_unchanged(const Options& o, const Report& report)
 {
   if(!report.facts.why_unchanged.empty())
     return report.facts.why_unchanged;
-  if(o.operation != Operation::DENOISE && o.gradient_weight == 0 && o.gradient_weight_property.empty())
+  if(o.is_of_paper() && o.gradient_weight == 0 && o.gradient_weight_property.empty() && o.hessian_weight == 0)
     return "the gradient weight is 0";
   if(o.operation == Operation::FILTER && o.signal == Signal_kind::NORMAL_TO_POSITION)
     return "the normals are those that the surface has; --gradient-weight filters them first";
-  if(o.operation == Operation::FILTER && o.gradient_scale == 1 && o.gradient_scale_property.empty())
+  if(o.operation == Operation::FILTER && o.gradient_scale == 1 && o.gradient_scale_property.empty() && o.hessian_weight == 0)
     return "the gradient scale is 1";
   if(o.max_displacement && *o.max_displacement == 0)
     return "the largest displacement is 0";
@@ -90,12 +92,14 @@ void filter(const Options& options, const Output_form& form, Mesh_file& file, St
   if(code != GDP::ok)
     throw Failure(options.input_name(), (clock.invalid().empty() ? "" : clock.invalid() + ": ") + GDP::get_error_message(code));
   report.measure(before, signal_values(options, file));
-  if(report.changed_values == 0 && options.signal != Signal_kind::CURVATURE)
+  if(report.changed_values == 0 && !options.only_adds())
     report.why_unchanged = why_unchanged(options, report);
   if(options.moves_vertices() && !options.keeps_normals)
     report.updated_normals = update_normals(points, file);
   report.not_kept = not_kept(file, form);
-  report.notices = clock.notices();
+  for(const std::string& notice : clock.notices())
+    if(notice != "no vertex was moved") // which may be all that is asked for, or is said with its reason
+      report.notices.push_back(notice);
 }
 
 std::string joined(const std::vector<std::string>& words)
@@ -119,6 +123,17 @@ void say_all(const Options& options, const Report& report, Stage_clock& clock)
     say(clock, options.output_name() + ": not kept: " + joined(report.not_kept));
 }
 
+std::string eigenvalue_table(const std::vector<double>& eigenvalues)
+{
+  std::ostringstream table;
+  table.imbue(std::locale::classic());
+  table.precision(17);
+  table << "index,eigenvalue\n";
+  for(std::size_t i = 0; i < eigenvalues.size(); ++i)
+    table << i << "," << eigenvalues[i] << "\n";
+  return table.str();
+}
+
 void run(const Options& options)
 {
 #ifdef CGAL_LINKED_WITH_TBB
@@ -131,6 +146,9 @@ void run(const Options& options)
   std::unique_ptr<Output_file> report_file;
   if(!options.report.empty())
     report_file = std::make_unique<Output_file>(options.report);
+  std::unique_ptr<Output_file> eigenvalue_file;
+  if(!options.eigenvalues.empty())
+    eigenvalue_file = std::make_unique<Output_file>(options.eigenvalues);
 
   Mesh_file file;
   Report report;
@@ -155,7 +173,11 @@ void run(const Options& options)
   }
   if(report_file)
     report_file->write(report.json(options, clock));
+  if(eigenvalue_file)
+    eigenvalue_file->write(eigenvalue_table(report.facts.eigenvalues));
   output.commit();
+  if(eigenvalue_file)
+    eigenvalue_file->commit();
   if(report_file)
     report_file->commit();
   if(!options.is_quiet)

@@ -16,7 +16,15 @@ po::options_description filter_options(Options& o)
 {
   po::options_description d("What is done", 100, 60);
   d.add_options()
-    ("operation", po::value<std::string>()->default_value("filter"), "filter | enhance-details (smooth, then sharpen what is left) | denoise")
+    ("operation", po::value<std::string>()->default_value("filter"), "filter | enhance-details (smooth, then sharpen what is left) | denoise | fair (the vertices of --region-vertices go on smoothly from "
+     "their surroundings) | low-pass | high-pass | band-pass | band-stop (waves by --wavelengths) | spectrum (harmonics are written as "
+     "properties harmonic_0, ...)")
+    ("wavelengths", po::value<std::string>()->value_name("A[,B]"), "cut-offs of low-pass and the like, in the unit of the file")
+    ("order", po::value(&o.filter_order)->default_value(4), "how sharp these are")
+    ("count", po::value(&o.number_of_harmonics)->default_value(10), "of the harmonics of spectrum")
+    ("eigenvalues", po::value(&o.eigenvalues)->value_name("FILE.csv"), "where spectrum writes the eigenvalues")
+    ("hessian-weight", po::value(&o.hessian_weight)->default_value(0, "0"),
+     "weight of second derivatives, a squared --gradient-weight: smooths without pulling borders in")
     ("signal", po::value<std::string>()->default_value("position"),
      "position | normal | color | normal-to-position (filter the normals, then fit the positions to them) | curvature (nothing is "
      "filtered: k1^2 + k2^2 is written as property 'curvature' and as color) | NAME[,NAME...]: properties of vertices or of faces")
@@ -53,6 +61,7 @@ po::options_description place_options(Options& o)
     ("constrain", po::value(&o.constrained_property)->value_name("PROPERTY"), "vertices where it is not 0 are kept")
     ("region", po::value(&o.region_property)->value_name("PROPERTY"),
      "only faces all of whose vertices have another number than 0 are worked on; all other vertices are kept")
+    ("region-vertices", po::value(&o.region_vertices_property)->value_name("PROPERTY"), "fair moves the vertices where it is not 0")
     ("value-weight-property", po::value(&o.value_weight_property)->value_name("PROPERTY"), "alpha at every vertex")
     ("gradient-weight-property", po::value(&o.gradient_weight_property)->value_name("PROPERTY"),
      "beta at every vertex; that of a face is the mean of its three")

@@ -44,6 +44,12 @@ Error_code filter(const Options& options, Mesh_file& file, Stage_clock& clock, F
 {
   if(options.operation == Operation::DENOISE)
     return denoise_mesh(options, file, clock, facts);
+  if(options.operation == Operation::FAIR)
+    return fair_mesh(options, file, clock, facts);
+  if(options.operation == Operation::SPECTRUM)
+    return write_spectrum(options, file, facts);
+  if(options.is_band())
+    return filter_bands(options, file, clock, facts);
   if(options.signal == Signal_kind::PROPERTY && property_signal(options, file).is_at_faces)
     return filter_face_properties(options, file, clock, facts);
   switch(options.solver)

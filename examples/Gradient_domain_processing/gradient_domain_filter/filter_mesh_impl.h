@@ -49,6 +49,7 @@ public:
       .face_gradient_weight_map(weight_map(beta, o.gradient_weight))
       .face_gradient_scale_map(weight_map(lambda, o.gradient_scale))
       .gradient_scale(o.gradient_scale)
+      .hessian_weight(o.hessian_weight)
       .curvature_metric_kind(o.metric)
       .curvature_weight(o.curvature_weight)
       .curvature_estimator(o.curvature)

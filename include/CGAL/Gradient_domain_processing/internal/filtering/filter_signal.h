@@ -25,6 +25,7 @@ std::vector<char> missing_rows(const Signal& signal);
 Energy_weights without_gradients_at(const std::vector<char>& is_missing, const Indexed_triangles& mesh, Energy_weights weights);
 
 // Fills missing values in by the energy without a value weight, all others constrained: as smoothly as the metric has it.
+template <class Void = void>
 Error_code fill_missing_values(const std::vector<char>& is_missing, Filter& filter, Signal& signal);
 
 template <class InMap, class OutMap, class Surface>

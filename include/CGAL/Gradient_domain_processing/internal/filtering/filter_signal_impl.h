@@ -34,7 +34,8 @@ CGAL_GDP_INLINE Energy_weights without_gradients_at(const std::vector<char>& is_
   return weights;
 }
 
-CGAL_GDP_INLINE Error_code fill_missing_values(const std::vector<char>& is_missing, Filter& filter, Signal& signal)
+template <class Void>
+Error_code fill_missing_values(const std::vector<char>& is_missing, Filter& filter, Signal& signal)
 {
   struct Restored
   {
@@ -71,6 +72,10 @@ CGAL_GDP_INLINE Error_code fill_missing_values(const std::vector<char>& is_missi
       signal.data()[i] = filled.data()[i];
   return ok;
 }
+
+#ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+template Error_code fill_missing_values<>(const std::vector<char>& is_missing, Filter& filter, Signal& signal);
+#endif
 
 } // namespace internal
 } // namespace Gradient_domain_processing
