@@ -6,6 +6,7 @@
 # Each accelerator is used if it is found, and can be switched off:
 #   CGAL_GDP_WITH_CHOLMOD  SuiteSparse's supernodal Cholesky factorization, with OpenBLAS where that is found
 #   CGAL_GDP_WITH_TBB      threads
+# CGAL::Gradient_domain_processing_compiled is beside it, see Gradient_domain_processing_compiled.cmake.
 # Those that are used are components of the package: find_package(Gradient_domain_processing COMPONENTS CHOLMOD TBB).
 
 set(Gradient_domain_processing_VERSION 0.1.0)
@@ -101,6 +102,8 @@ if(NOT _gdp_is_installed)
     endif()
   endforeach()
 endif()
+
+include("${CMAKE_CURRENT_LIST_DIR}/Gradient_domain_processing_compiled.cmake")
 
 message(STATUS "Gradient_domain_processing ${Gradient_domain_processing_VERSION}: "
                "CGAL ${CGAL_VERSION}, Eigen ${Eigen3_VERSION}, ${_gdp_solver}, ${_gdp_threads}")

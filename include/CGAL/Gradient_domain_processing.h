@@ -17,6 +17,7 @@
 #include <CGAL/Gradient_domain_processing/enhance_details.h>
 #include <CGAL/Gradient_domain_processing/estimate_curvatures.h>
 #include <CGAL/Gradient_domain_processing/fair.h>
+#include <CGAL/Gradient_domain_processing/filter_spectrum.h>
 #include <CGAL/Gradient_domain_processing/fit_to_gradients.h>
 #include <CGAL/Gradient_domain_processing/fit_to_normals.h>
 #include <CGAL/Gradient_domain_processing/hessian_matrix.h>

@@ -12,7 +12,8 @@
 #include <CGAL/Gradient_domain_processing/internal/higher_order/constrained_minimum.h>
 #include <CGAL/Gradient_domain_processing/internal/higher_order/hessian_energy.h>
 #include <CGAL/Gradient_domain_processing/internal/higher_order/modified_dirichlet.h>
-#include <CGAL/Gradient_domain_processing/internal/spectrum/Rational_filter.h>
+#include <CGAL/Gradient_domain_processing/Default_sparse_linear_solver.h>
+#include <CGAL/Gradient_domain_processing/internal/spectrum/Spectral_system.h>
 #include <CGAL/Gradient_domain_processing/internal/spectrum/eigenpairs.h>
 #include <CGAL/Gradient_domain_processing/internal/spectrum/filter_by_harmonics.h>
 
@@ -100,11 +101,29 @@ void test_bands()
   }
 }
 
+// Filters columns by vertex.
+GDP::Error_code apply(const Rational_filter& filter, const Arrays& arrays, Eigen::MatrixXd& columns)
+{
+  Progress progress;
+  Spectral_system system(any_linear_solver(GDP::Default_sparse_linear_solver()), true);
+  if(const GDP::Error_code code = system.assemble_matrices(arrays, Metrics(), std::vector<char>(arrays.points.size(), 0), progress))
+    return code;
+  const std::vector<int>& vertex = system.degrees_of_freedom().vertex;
+  Eigen::MatrixXd values(columns.rows(), columns.cols());
+  for(std::size_t i = 0; i < vertex.size(); ++i)
+    values.row(Eigen::Index(i)) = columns.row(vertex[i]);
+  if(const GDP::Error_code code = system.apply(filter, progress, values))
+    return code;
+  for(std::size_t i = 0; i < vertex.size(); ++i)
+    columns.row(vertex[i]) = values.row(Eigen::Index(i));
+  return GDP::ok;
+}
+
 // The transfer function measured on harmonics is the one that is stated, which is a half at the cut-offs and keeps the mean.
 void test_rational_filters()
 {
   const Arrays sphere = arrays_of(icosphere(3));
-  const Sparse stiffness = stiffness_matrix(sphere), squared = bilaplacian(sphere, Metrics(), true);
+  const Sparse stiffness = stiffness_matrix(sphere);
   const Eigen::VectorXd masses = masses_of(sphere);
   const Sparse mass = diagonal(masses);
   Eigenpairs pairs;
@@ -117,14 +136,14 @@ void test_rational_filters()
     for(int i = 0; i < 4; ++i)
     {
       Eigen::MatrixXd filtered = pairs.vectors;
-      GDP_CHECK(filters[i].apply(stiffness, masses, squared, filtered) == GDP::ok);
+      GDP_CHECK(apply(filters[i], sphere, filtered) == GDP::ok);
       for(int j = 0; j < 40; ++j)
       {
         const double mu = (std::max)(0., pairs.values[j]);
         const double band = low(mu, 20) - low(mu, 5);
         const double expected = i == 0 ? low(mu, 12) : i == 1 ? 1 - low(mu, 12) : i == 2 ? band : 1 - band;
         GDP_CHECK_NEAR(filters[i](mu), expected, 1e-12);
-        GDP_CHECK_NEAR(pairs.vectors.col(j).dot(mass * filtered.col(j)), expected, 1e-9);
+        GDP_CHECK_NEAR(pairs.vectors.col(j).dot(mass * filtered.col(j)), expected, 1e-8);
         GDP_CHECK_NEAR((filtered.col(j) - expected * pairs.vectors.col(j)).cwiseAbs().maxCoeff(), 0, 1e-7);
       }
     }
@@ -137,11 +156,11 @@ void test_rational_filters()
   const Rational_filter filter = Rational_filter::low_pass(12, 4);
   const Eigen::MatrixXd signal = sampled(sphere, [](const Vec& p) { return std::exp(2 * p.x()) + std::sin(9 * p.y()); });
   Eigen::MatrixXd solved = signal;
-  GDP_CHECK(filter.apply(stiffness, masses, squared, solved) == GDP::ok);
+  GDP_CHECK(apply(filter, sphere, solved) == GDP::ok);
   GDP_CHECK_NEAR(masses.dot(solved.col(0) - signal.col(0)), 0, 1e-10);
   const Eigen::MatrixXd by_harmonics = filter_by_harmonics(pairs, mass, signal, filter, 0.25);
   const Eigen::MatrixXd parts = pairs.vectors.transpose() * (mass * (by_harmonics - solved));
-  GDP_CHECK_NEAR(parts.cwiseAbs().maxCoeff(), 0, 1e-9);
+  GDP_CHECK_NEAR(parts.cwiseAbs().maxCoeff(), 0, 1e-7);
   const Eigen::MatrixXd rest = signal - pairs.vectors * (pairs.vectors.transpose() * (mass * signal));
   const Eigen::MatrixXd rest_filtered = by_harmonics - pairs.vectors * (pairs.vectors.transpose() * (mass * by_harmonics));
   GDP_CHECK_NEAR((rest_filtered - 0.25 * rest).cwiseAbs().maxCoeff(), 0, 1e-10);
@@ -169,10 +188,6 @@ void test_constrained()
 
 int main()
 {
-#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD
-  std::cout << "the spectrum needs CHOLMOD" << std::endl;
-  return 0;
-#endif
   test_sphere();
   test_bands();
   test_rational_filters();

@@ -9,7 +9,9 @@
  * of another one ends before it. With several threads `go_on()` may be called from any of them while curvature is estimated, but never by two at once;
  * all else is called from the thread that called the package. Any of these functions may throw; the exception comes through.
  *
- * \cgalHasModel `CGAL::Gradient_domain_processing::Default_visitor`
+ * \cgalHasModelsBegin
+ * \cgalHasModels{CGAL::Gradient_domain_processing::Default_visitor}
+ * \cgalHasModelsEnd
  */
 class GradientDomainVisitor
 {

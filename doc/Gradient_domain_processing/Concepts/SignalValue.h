@@ -18,12 +18,13 @@
  * `make()` decides what becomes of results that the type cannot hold. Signals of unit vectors, for example, are not normalized unless
  * their `make()` does so.
  *
- * \cgalHasModel
- * - number types: `double`, `float`, integers (rounded and clamped), number types of \cgal kernels
- * - `CGAL::Point_2`, `CGAL::Point_3`, `CGAL::Vector_2`, `CGAL::Vector_3`
- * - `CGAL::IO::Color` (four channels from 0 to 255; rounded and clamped)
- * - `std::array` of models
- * - `Eigen::Matrix` of fixed size, of numbers
+ * \cgalHasModelsBegin
+ * \cgalHasModelsBare{number types: `double`\, `float`\, integers (rounded and clamped)\, number types of \cgal kernels}
+ * \cgalHasModelsBare{`CGAL::Point_2`\, `CGAL::Point_3`\, `CGAL::Vector_2`\, `CGAL::Vector_3`}
+ * \cgalHasModelsBare{`CGAL::IO::Color` (four channels from 0 to 255; rounded and clamped)}
+ * \cgalHasModelsBare{`std::array` of models}
+ * \cgalHasModelsBare{`Eigen::Matrix` of fixed size\, of numbers}
+ * \cgalHasModelsEnd
  */
 class SignalValue
 {

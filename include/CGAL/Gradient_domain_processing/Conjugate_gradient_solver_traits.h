@@ -8,7 +8,7 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_CONJUGATE_GRADIENT_SOLVER_TRAITS_H
 
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/multigrid/Conjugate_gradient.h>
-#include <CGAL/Gradient_domain_processing/internal/linear_solver/Linear_solver.h>
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/Any_linear_solver.h>
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/Solver_claim.h>
 #include <CGAL/Gradient_domain_processing/internal/parallel/parallel_for.h>
 
@@ -44,7 +44,7 @@ namespace Gradient_domain_processing {
  *
  * \tparam ConcurrencyTag enables parallel computation. The result is the same to the bit either way.
  *
- * \cgalModels `SparseLinearAlgebraWithFactorTraits_d`
+ * \cgalModels{SparseLinearAlgebraWithFactorTraits_d}
  *
  * \sa `Default_sparse_linear_solver`
  */
@@ -168,6 +168,10 @@ public:
     catch(const std::bad_alloc&) { return error_cannot_solve_linear_system; }
   }
 };
+
+#ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+extern template std::unique_ptr<Any_linear_solver> any_linear_solver(const Conjugate_gradient_solver_traits<Parallel_if_available_tag>&);
+#endif
 
 } // namespace internal
 } // namespace Gradient_domain_processing

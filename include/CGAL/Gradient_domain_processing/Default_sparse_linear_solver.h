@@ -24,7 +24,7 @@ namespace Gradient_domain_processing {
  * `CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD` is defined (the CMake target does so where it finds SuiteSparse), else
  * that of Eigen. Both are \f$ LL^T \f$, which notices a matrix that is not positive definite.
  *
- * \cgalModels `SparseLinearAlgebraWithFactorTraits_d`
+ * \cgalModels{SparseLinearAlgebraWithFactorTraits_d}
  */
 #ifdef DOXYGEN_RUNNING
 typedef unspecified_type Default_sparse_linear_solver;

@@ -103,6 +103,16 @@ public:
    *     \cgalParamType{a class model of `ReadablePropertyMap` with key `face_descriptor` and a number type as value}
    *     \cgalParamDefault{none}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{hessian_weight}
+   *     \cgalParamDescription{\f$ \gamma \f$, the weight of second derivatives: \f$ \gamma \|\nabla \nabla g\|^2 \f$ joins the energy. A length to the fourth, in the unit that the square of `gradient_weight` has. With `gradient_weight(0)` it smooths without pulling borders in, and keeps slopes; the matrix has two to three times as many entries. Where `value_weight` is 0, three vertices of a component have to be constrained.}
+   *     \cgalParamType{`double`}
+   *     \cgalParamDefault{`0`}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{hessian_kind}
+   *     \cgalParamDescription{which energy of second derivatives}
+   *     \cgalParamType{`Hessian_kind`}
+   *     \cgalParamDefault{`Hessian_kind::SQUARED_HESSIAN`}
+   *   \cgalParamNEnd
    *   \cgalParamNBegin{area_normalization}
    *     \cgalParamDescription{Whether \f$ \beta \f$, \f$ \epsilon \f$ and \f$ \gamma \f$ are those of the mesh scaled to unit area, so that results do not depend on the unit of length. Otherwise they are squared lengths in the unit of the mesh. The area is that of the whole mesh in its embedding, whatever the region and the metric.}
    *     \cgalParamType{`bool`}
@@ -155,6 +165,11 @@ public:
    *   \cgalParamNEnd
    *   \cgalParamNBegin{border_condition}
    *     \cgalParamDescription{what happens at the border of the mesh}
+   *     \cgalParamType{`Border_condition`}
+   *     \cgalParamDefault{`Border_condition::FREE`}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{non_manifold_condition}
+   *     \cgalParamDescription{what happens where three faces or more share an edge, as at the triple lines of label maps. The sheets stay together in any case; `ALONG_BORDER` filters these lines first, as curves of their own, which `denoise()` does not know.}
    *     \cgalParamType{`Border_condition`}
    *     \cgalParamDefault{`Border_condition::FREE`}
    *   \cgalParamNEnd

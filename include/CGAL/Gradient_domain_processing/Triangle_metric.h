@@ -8,6 +8,7 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_TRIANGLE_METRIC_H
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>

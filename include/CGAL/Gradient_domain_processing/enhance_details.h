@@ -36,6 +36,7 @@ Error_code enhance_details(Solver solver, PointMap point_map, const NamedParamet
       return code;
     if(const Error_code code = end_of_pass())
       return code;
+    solver.arrays().set_second_order(0, Hessian_kind::SQUARED_HESSIAN);
     if(const Error_code code = set_sharpening_metric(solver, np))
       return code;
     if(const Error_code code = solver.set_gradient_weight(parameter(np, sharpening_weight, 1e-5)))

@@ -11,6 +11,10 @@
 #include <CGAL/Gradient_domain_processing/internal/energy/target_field/Normal_fit.h>
 #include <CGAL/Gradient_domain_processing/internal/filtering/move_positions.h>
 #include <CGAL/Gradient_domain_processing/internal/filtering/own_normals.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/offset_to_volumes.h>
+
+#include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Gradient_domain_processing {
@@ -31,8 +35,9 @@ Error_code fit_to_normals(Solver solver, PointMap point_map, VertexNormalMap nor
   if(const Error_code code = solver.checked(read_own_normals(np, solver.elements(), filter, own)))
     return code;
   if(!Has_parameter<gradient_scale_t, NamedParameters>::value && !Has_parameter<face_gradient_scale_map_t, NamedParameters>::value)
-    solver.set_gradient_scale(1);
+    filter.system.set_scale(1);
 
+  const Normal_fit_kind kind = parameter(np, normal_fit_kind, Normal_fit_kind::FACES);
   return move_positions(solver, point_map, np, [&](const auto& end_of_pass) -> Error_code {
     if(filter.system.weights().scale != 1 || !filter.system.weights().scale_at_triangle.empty())
       if(const Error_code code = filter.filter(wanted))
@@ -40,9 +45,13 @@ Error_code fit_to_normals(Solver solver, PointMap point_map, VertexNormalMap nor
     if(const Error_code code = solver.set_gradient_weight(parameter(np, normal_projection_weight, 100.)))
       return code;
     Signal change;
-    if(const Error_code code = filter.solve(Normal_fit(mesh, own, wanted, parameter(np, normal_fit_kind, Normal_fit_kind::FACES)), change))
+    if(const Error_code code = filter.solve(Normal_fit(mesh, own, wanted, kind), change))
       return code;
+    const std::vector<Vec3> before = mesh.points;
     filter.move_points(change);
+    if(kind == Normal_fit_kind::FACES && filter.encloses_volume())
+      if(const int count = offset_to_volumes(mesh, before, filter.system.parallel, filter.system.mesh.points))
+        solver.progress().notice(std::to_string(count) + " components enclose another volume than before");
     return end_of_pass();
   });
 }
@@ -57,7 +66,9 @@ Error_code fit_to_normals(Solver solver, PointMap point_map, VertexNormalMap nor
  * \f$ v = (I - m m^T) \nabla x \f$ best, with the weight `normal_projection_weight` in place of \f$ \beta \f$. The normal \f$ m \f$ wanted
  * of a face is its own, turned by the rotation that takes the mean of the mesh's vertex normals at its corners to that of the wanted ones:
  * the mesh's own normals move nothing, at creases and corners either. Where the wanted normals differ from the mesh's by as much as
- * the face does from the mean at its corners, that mean of the wanted ones is taken instead. The vertex normals of the mesh are its `vertex_normal_map` if one is
+ * the face does from the mean at its corners, that mean of the wanted ones is taken instead. Normals determine a closed surface up to
+ * an offset only, for parallel surfaces have the same; of these it is the one that encloses the volume the component enclosed before, where
+ * the mesh is closed and has no constraints. The vertex normals of the mesh are its `vertex_normal_map` if one is
  * named, else the normalized sums of area-weighted face normals.
  *
  * With `normal_fit_kind(Normal_fit_kind::EDGES)`, as in the program of the paper's authors (after Yu et al.\ 2004), every edge

@@ -35,6 +35,7 @@
   ADD(face_gradient_weight_map)        \
   ADD(face_gradient_scale_map)         \
   ADD(border_condition)                \
+  ADD(non_manifold_condition)          \
   ADD(restore_volume)                  \
   ADD(normal_projection_weight)        \
   ADD(sharpening_weight)               \
@@ -50,7 +51,10 @@
   ADD(missing_values)                  \
   ADD(noise_level)                     \
   ADD(noise_scale)                     \
-  ADD(denoising_summary)
+  ADD(denoising_summary)               \
+  ADD(number_of_harmonics)             \
+  ADD(hessian_weight)                  \
+  ADD(hessian_kind)
 
 #if CGAL_VERSION_NR < 1060000000
 #define CGAL_GDP_NAMES(ADD) CGAL_GDP_OWN_NAMES(ADD) ADD(concurrency_tag)

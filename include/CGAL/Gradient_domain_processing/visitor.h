@@ -65,7 +65,7 @@ inline const char* get_stage_name(Stage stage)
  *
  * A visitor that does nothing: the default, and a base to derive from. Pass your own by `std::ref` if it has a state.
  *
- * \cgalModels `GradientDomainVisitor`
+ * \cgalModels{GradientDomainVisitor}
  */
 struct Default_visitor
 {

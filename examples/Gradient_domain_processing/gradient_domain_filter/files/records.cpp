@@ -6,6 +6,7 @@
 
 #include "Records.h"
 #include "Text_scanner.h"
+#include "file_blocks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,15 +15,18 @@ namespace {
 
 bool is_same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
-// Numbers of text, which may become longer or shorter.
+// Numbers of a block of text, which may become longer or shorter.
 class Text_replacer
 {
   const std::string& m_text;
   std::string m_result;
-  std::size_t m_copied = 0; // of the text
+  std::size_t m_copied; // of the text
 
 public:
-  explicit Text_replacer(const std::string& text) : m_text(text) { m_result.reserve(text.size() + text.size() / 2); }
+  Text_replacer(const std::string& text, std::size_t begin, std::size_t end) : m_text(text), m_copied(begin)
+  {
+    m_result.reserve((end - begin) + (end - begin) / 2);
+  }
 
   void replace(const Replaced_records& replaced, std::size_t i)
   {
@@ -33,7 +37,8 @@ public:
     {
       for(; place < number.place; ++place)
         skip(words, records, std::size_t(place));
-      const std::string_view word = words.word();
+      std::string_view word = words.word();
+      word = word.substr(0, word.find_first_of("#\\")); // no number has them: a comment begins or the line goes on
       ++place;
       double before;
       const double value = number.value(i), x = in_range(value, number.type);
@@ -48,21 +53,21 @@ public:
     }
   }
 
-  std::string finish()
+  std::string finish(std::size_t end)
   {
-    m_result.append(m_text, m_copied, std::string::npos);
+    m_result.append(m_text, m_copied, end - m_copied);
     return std::move(m_result);
   }
 
 private:
   static void skip(Text_scanner& words, const Records& records, std::size_t place)
   {
-    std::size_t size = 0;
+    double size = 0;
     if(place < records.properties.size() && records.properties[place].is_list)
-      words.integer(size);
+      words.number(size);
     else
       words.word();
-    for(; size > 0; --size)
+    for(; size >= 1; --size)
       words.word();
   }
 };
@@ -87,19 +92,69 @@ void replace_binary(std::string& text, const Replaced_records& replaced)
 {
   const Records& records = *replaced.records;
   const bool has_lists = std::any_of(records.properties.begin(), records.properties.end(), [](const Property& p) { return p.is_list; });
-  for(const Replacement& number : replaced.numbers)
-  {
-    std::size_t distance = 0;
-    for(std::size_t i = 0; i < records.size(); ++i)
+  for_each_block_of_records(records.size(), [&](std::size_t begin, std::size_t end) {
+    for(const Replacement& number : replaced.numbers)
     {
-      if(i == 0 || has_lists)
-        distance = distance_to(text, records, records.offset(i), number.place);
-      char* const at = &text[records.offset(i) + distance];
-      const double x = number.value(i);
-      if(!is_same(binary_number(at, number.type, records.order), x))
-        put_binary_number(at, x, number.type, records.order);
+      std::size_t distance = 0;
+      for(std::size_t i = begin; i < end; ++i)
+      {
+        if(i == begin || has_lists)
+          distance = distance_to(text, records, records.offset(i), number.place);
+        char* const at = &text[records.offset(i) + distance];
+        const double x = number.value(i);
+        if(!is_same(binary_number(at, number.type, records.order), x))
+          put_binary_number(at, x, number.type, records.order);
+      }
     }
+  });
+}
+
+// The first record that begins at or after a place of the text.
+std::size_t record_at(const Records& records, std::size_t place)
+{
+  std::size_t low = 0, high = records.size();
+  while(low < high)
+  {
+    const std::size_t middle = low + (high - low) / 2;
+    if(records.offset(middle) < place)
+      low = middle + 1;
+    else
+      high = middle;
   }
+  return low;
+}
+
+// Records of several kinds may take turns.
+std::string replaced_text(const std::string& text, const std::vector<Replaced_records>& replaced, std::size_t begin, std::size_t end)
+{
+  Text_replacer replacer(text, begin, end);
+  std::vector<std::size_t> next, last;
+  for(const Replaced_records& r : replaced)
+  {
+    next.push_back(record_at(*r.records, begin));
+    last.push_back(record_at(*r.records, end));
+  }
+  while(true)
+  {
+    std::size_t first = replaced.size();
+    for(std::size_t k = 0; k < replaced.size(); ++k)
+      if(next[k] < last[k]
+         && (first == replaced.size() || replaced[k].records->offset(next[k]) < replaced[first].records->offset(next[first])))
+        first = k;
+    if(first == replaced.size())
+      return replacer.finish(end);
+    replacer.replace(replaced[first], next[first]++);
+  }
+}
+
+// Where blocks of text begin, and its end: at records, which no other record contains.
+std::vector<std::size_t> record_blocks(const std::string& text, const Records& records)
+{
+  std::vector<std::size_t> begins(1, 0);
+  for(std::size_t i = records_of_block; i < records.size(); i += records_of_block)
+    begins.push_back(records.offset(i));
+  begins.push_back(text.size());
+  return begins;
 }
 
 } // namespace
@@ -117,19 +172,17 @@ void replace_numbers(std::string& text, std::vector<Replaced_records> replaced)
     return;
   }
 
-  // records of several kinds may take turns
-  Text_replacer replacer(text);
-  std::vector<std::size_t> next(replaced.size(), 0);
-  while(true)
-  {
-    std::size_t first = replaced.size();
-    for(std::size_t k = 0; k < replaced.size(); ++k)
-      if(next[k] < replaced[k].records->size()
-         && (first == replaced.size() || replaced[k].records->offset(next[k]) < replaced[first].records->offset(next[first])))
-        first = k;
-    if(first == replaced.size())
-      break;
-    replacer.replace(replaced[first], next[first]++);
-  }
-  text = replacer.finish();
+  const auto most = std::max_element(replaced.begin(), replaced.end(), [](const Replaced_records& a, const Replaced_records& b) {
+    return a.records->size() < b.records->size();
+  });
+  const std::vector<std::size_t> begins = record_blocks(text, *most->records);
+  std::vector<std::string> parts(begins.size() - 1);
+  for_each_part(parts.size(), [&](std::size_t k) { parts[k] = replaced_text(text, replaced, begins[k], begins[k + 1]); });
+  std::size_t size = 0;
+  for(const std::string& part : parts)
+    size += part.size();
+  text.clear();
+  text.reserve(size);
+  for(const std::string& part : parts)
+    text += part;
 }

@@ -7,9 +7,7 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_CURVATURE_ESTIMATES_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_CURVATURE_ESTIMATES_H
 
-#include <CGAL/Gradient_domain_processing/internal/curvature/face_curvature.h>
-#include <CGAL/Gradient_domain_processing/internal/curvature/jet_curvature.h>
-#include <CGAL/Gradient_domain_processing/internal/curvature/normal_curvature.h>
+#include <CGAL/Gradient_domain_processing/internal/curvature/Principal_curvatures.h>
 
 #include <functional>
 #include <vector>
@@ -19,48 +17,25 @@ namespace Gradient_domain_processing {
 namespace internal {
 
 // At the vertices, by jets. A template, as what is made of it, so that only programs that fit jets compile them. False: cancelled.
-template <class Fitter = Jet_fitter<> >
+template <class Void = void>
 bool vertex_curvatures_by_jets(const Indexed_triangles& mesh, const std::vector<Vec3>& points, const std::vector<Vec3>& normals,
                                int jet_degree, bool parallel, const std::function<bool(double)>& go_on,
-                               std::vector<Principal_curvatures>& curvatures)
-{
-  const Lists rings = mesh.one_rings(parallel);
-  return jet_curvatures<Fitter>(parallel, points, rings.offsets, rings.items, normals, jet_degree, go_on, curvatures);
-}
+                               std::vector<Principal_curvatures>& curvatures);
 
 // At the triangles, as the mean of the tensors at the corners.
-inline std::vector<Principal_curvatures> triangle_curvatures(const Indexed_triangles& mesh, bool parallel,
-                                                             const std::vector<Principal_curvatures>& at_vertices)
-{
-  std::vector<Principal_curvatures> curvatures(mesh.triangles.size());
-  parallel_for(parallel, curvatures.size(), [&](std::size_t f) {
-    const auto& t = mesh.triangles[f];
-    curvatures[f] = triangle_curvatures(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]],
-                                        at_vertices[t[0]], at_vertices[t[1]], at_vertices[t[2]]);
-  });
-  return curvatures;
-}
+std::vector<Principal_curvatures> triangle_curvatures(const Indexed_triangles& mesh, bool parallel,
+                                                      const std::vector<Principal_curvatures>& at_vertices);
 
 // At the triangles, from normals at the vertices, which are normalized.
-inline std::vector<Principal_curvatures> triangle_curvatures_by_normals(const Indexed_triangles& mesh, bool parallel,
-                                                                        std::vector<Vec3> normals)
-{
-  parallel_for(parallel, normals.size(), [&](std::size_t v) {
-    const double length = normals[v].norm();
-    if(length > 0)
-      normals[v] /= length;
-  });
-  std::vector<Principal_curvatures> curvatures(mesh.triangles.size());
-  parallel_for(parallel, curvatures.size(), [&](std::size_t f) {
-    const auto& t = mesh.triangles[f];
-    curvatures[f] = triangle_curvatures(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]],
-                                        normals[t[0]], normals[t[1]], normals[t[2]]);
-  });
-  return curvatures;
-}
+std::vector<Principal_curvatures> triangle_curvatures_by_normals(const Indexed_triangles& mesh, bool parallel,
+                                                                 std::vector<Vec3> normals);
 
 } // namespace internal
 } // namespace Gradient_domain_processing
 } // namespace CGAL
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+#include <CGAL/Gradient_domain_processing/internal/curvature/estimates_impl.h>
+#endif
 
 #endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_CURVATURE_ESTIMATES_H

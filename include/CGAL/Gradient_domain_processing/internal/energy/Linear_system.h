@@ -9,14 +9,15 @@
 
 #include <CGAL/Gradient_domain_processing/Error_code.h>
 #include <CGAL/Gradient_domain_processing/visitor.h>
-#include <CGAL/Gradient_domain_processing/internal/energy/assemble.h>
-#include <CGAL/Gradient_domain_processing/internal/energy/floating_components.h>
-#include <CGAL/Gradient_domain_processing/internal/energy/prolongation.h>
-#include <CGAL/Gradient_domain_processing/internal/energy/recenter.h>
-#include <CGAL/Gradient_domain_processing/internal/energy/right_hand_side.h>
-#include <CGAL/Gradient_domain_processing/internal/linear_solver/Linear_solver.h>
-#include <CGAL/Gradient_domain_processing/internal/linear_solver/ordering/elimination_order.h>
+#include <CGAL/Gradient_domain_processing/internal/energy/Energy_weights.h>
+#include <CGAL/Gradient_domain_processing/internal/energy/second_order.h>
+#include <CGAL/Gradient_domain_processing/internal/energy/sparsity_pattern.h>
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/Any_linear_solver.h>
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/ordering/Degrees_of_freedom.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/Indexed_triangles.h>
+#include <CGAL/Gradient_domain_processing/internal/metric/Triangle_metrics.h>
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -24,9 +25,9 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// The system (alpha M + beta S) (g - f) = beta (D v - S f) (eq. 2) on arrays. It is solved for the change of the signal, so that the
-// rounding error is that of the change, and what need not change does not.
-template <class SparseLinearSolver>
+// The system (alpha M + beta S) (g - f) = beta (D v - S f) (eq. 2) on arrays; with a term of second order,
+// (alpha M + beta S + gamma Q) (g - f) = beta (D v - S f) - gamma Q f. It is solved for the change of the signal, so that the rounding
+// error is that of the change, and what need not change does not.
 class Linear_system
 {
 public:
@@ -39,6 +40,7 @@ public:
   {
     Triangle_metrics metrics;
     Energy_weights weights;
+    Second_order_energy second_order;
   };
 
 private:
@@ -48,14 +50,16 @@ private:
   Sparse_matrix m_prolongation;          // from the former to the latter, where there are any
   Lists m_pattern;                       // of the matrix that is assembled, by column, for as long as the system lives
   Sparse_matrix m_matrix;                // with it, from the analysis to the first factorization
+  Sparse_matrix m_second_order;          // gamma Q over all vertices, where there is such a term
   Sparse_matrix m_unshifted;
-  Linear_solver<SparseLinearSolver> m_solver;
-  bool m_is_analyzed = false, m_is_factorized = false, m_values_weigh_little = false;
+  std::unique_ptr<Any_linear_solver> m_solver;
+  bool m_is_analyzed = false, m_is_pattern_analyzed = false, m_is_factorized = false, m_values_weigh_little = false;
 
 public:
-  explicit Linear_system(const SparseLinearSolver& solver) : m_solver(solver) {}
+  explicit Linear_system(std::unique_ptr<Any_linear_solver> solver) : m_solver(std::move(solver)) {}
 
   Triangle_metric metric(int f) const { return m_coefficients.metrics(mesh, f); }
+  const Triangle_metrics& metrics() const { return m_coefficients.metrics; }
   const Energy_weights& weights() const { return m_coefficients.weights; }
   const Degrees_of_freedom& degrees_of_freedom() const { return m_dofs; }
 
@@ -73,6 +77,15 @@ public:
     m_is_factorized = false;
   }
 
+  // With or without it the matrix has another pattern.
+  void set_second_order(Second_order_energy energy)
+  {
+    if(!energy && !has_second_order())
+      return;
+    m_coefficients.second_order = std::move(energy);
+    m_is_analyzed = m_is_factorized = false;
+  }
+
   // lambda is on the right-hand side only
   void set_scale(double scale) { m_coefficients.weights.set_scale(scale); }
 
@@ -80,6 +93,8 @@ public:
   Coefficients exchange_coefficients(Coefficients coefficients)
   {
     std::swap(m_coefficients, coefficients);
+    if(m_coefficients.second_order || coefficients.second_order)
+      m_is_analyzed = false;
     m_is_factorized = false;
     return coefficients;
   }
@@ -91,205 +106,50 @@ public:
     m_is_analyzed = m_is_factorized = false;
   }
 
-  Error_code factorize(Progress& progress)
-  {
-    if(m_is_factorized && (m_dofs.size() == 0 || m_solver.has_factor()))
-      return ok;
-    if(has_floating_component(mesh, m_coefficients.weights, is_constrained))
-      return error_unconstrained;
-    if(const Error_code code = analyze(progress))
-      return code;
-    if(m_dofs.size() > 0)
-    {
-      if(!progress.go_on())
-        return error_cancelled;
-      Sparse_matrix matrix; // the solver has a factor or a copy of it, so it need not stay
-      {
-        Stage_scope stage(progress, Stage::ASSEMBLE);
-        matrix.swap(m_matrix);
-        assemble_into(matrix);
-      }
-      if(!progress.go_on())
-        return error_cancelled;
-      Stage_scope stage(progress, Stage::FACTOR);
-      if(const Error_code code = factorize_or_shift(matrix, progress))
-        return code;
-    }
-    m_is_factorized = true;
-    return ok;
-  }
+  Error_code factorize(Progress& progress);
 
   // The change g - f of a signal whose target is given by what it asks for beyond the signal's own gradients (see right_hand_side.h),
   // by vertex. On entry, `displacement` holds the change of the constrained vertices, if `displaces_constraints`.
   template <class Target_field>
-  Error_code solve(const Target_field& target, Progress& progress, Signal& displacement, bool displaces_constraints = false)
-  {
-    if(const Error_code code = factorize(progress))
-      return code;
-    Eigen::MatrixXd residual;
-    if(m_dofs.size() > 0)
-    {
-      if(!progress.go_on())
-        return error_cancelled;
-      Stage_scope stage(progress, Stage::ASSEMBLE);
-      residual = target_residual(mesh, m_coefficients.metrics, m_coefficients.weights, assembled_dofs(), target, parallel);
-    }
-    else
-      residual.resize(0, target.channels());
-    return solve_residual(residual, progress, displacement, displaces_constraints);
-  }
+  Error_code solve(const Target_field& target, Progress& progress, Signal& displacement, bool displaces_constraints = false);
 
 private:
   bool has_virtual_vertices() const { return mesh.virtual_vertices.size() > 0; }
+  bool has_second_order() const { return bool(m_coefficients.second_order); }
+  // Not that of neighbors: the solver sees it with the first values.
+  bool has_own_pattern() const { return has_virtual_vertices() || has_second_order(); }
   const Degrees_of_freedom& assembled_dofs() const { return has_virtual_vertices() ? m_dofs_with_virtual_vertices : m_dofs; }
 
   // Orders the degrees of freedom, makes the pattern and lets the solver analyze it. Depends on the connectivity and the constrained
   // vertices only.
-  Error_code analyze(Progress& progress)
-  {
-    if(m_is_analyzed)
-      return ok;
-    if(!progress.go_on())
-      return error_cancelled;
-    Stage_scope stage(progress, Stage::ANALYZE);
+  Error_code analyze(Progress& progress);
 
-    const Lists rings = mesh.one_rings(parallel);
-    std::vector<char> is_free(mesh.points.size());
-    for(int v = 0; v < mesh.number_of_vertices(); ++v)
-      is_free[v] = !is_constrained[v] && mesh.corners.size(v) > 0 && v < mesh.first_virtual_vertex();
-    bool is_cancelled = false;
-    if(Linear_solver<SparseLinearSolver>::needs_order)
-      m_dofs = elimination_order(mesh.points, has_virtual_vertices() ? rings_of_polygons(rings, mesh) : rings, is_free, parallel,
-                                 [&] { return !(is_cancelled = !progress.go_on()); });
-    else
-      m_dofs = numbered_in_memory_order(is_free);
-    if(is_cancelled)
-      return error_cancelled;
-    if(has_virtual_vertices())
-      m_dofs_with_virtual_vertices = with_virtual_vertices(m_dofs, mesh);
-    m_pattern = sparsity_pattern(rings, assembled_dofs(), m_solver.reads_lower_triangle && !has_virtual_vertices(), parallel);
-    Error_code code = ok;
-    if(has_virtual_vertices())
-      m_prolongation = prolongation(m_dofs, mesh); // the solver sees the pattern with the first values
-    else
-    {
-      set_pattern(m_pattern, parallel, m_matrix);
-      code = m_dofs.size() > 0 ? m_solver.analyze(m_matrix) : ok;
-    }
-    m_is_analyzed = code == ok;
-    return code;
-  }
+  void assemble_into(Sparse_matrix& matrix);
 
-  void assemble_into(Sparse_matrix& matrix)
-  {
-    if(matrix.rows() == 0)
-      set_pattern(m_pattern, parallel, matrix);
-    m_values_weigh_little = assemble(mesh, m_coefficients.metrics, m_coefficients.weights, assembled_dofs(), parallel, matrix);
-    if(!has_virtual_vertices())
-      return;
-    const Sparse_matrix product = m_prolongation.transpose() * Sparse_matrix(matrix * m_prolongation);
-    if(m_solver.reads_lower_triangle)
-      matrix = product.triangularView<Eigen::Lower>();
-    else
-      matrix = product;
-  }
+  // gamma Q f
+  void subtract_second_order(const Signal& by_vertex, Eigen::MatrixXd& residual) const;
 
   // Components of very different size, or nearly degenerate triangles, may lose the positive definiteness to rounding. A shift
   // of the diagonal brings it back, and refinement takes the shift out of the solution.
-  Error_code factorize_or_shift(Sparse_matrix& matrix, Progress& progress)
-  {
-    const auto go_on = [&] { return progress.go_on(); };
-    m_unshifted = Sparse_matrix();
-    Error_code code = m_solver.factorize(matrix, go_on);
-    if(code == ok || code == error_cancelled || m_solver.is_iterative)
-      return code;
-    m_unshifted = matrix;
-    for(int j = 0; j < m_dofs.size(); ++j)
-      matrix.coeffRef(j, j) *= 1 + 1e-10;
-    return m_solver.factorize(matrix, go_on);
-  }
+  Error_code factorize_or_shift(Sparse_matrix& matrix, Progress& progress);
 
-  Error_code solve_residual(Eigen::MatrixXd& residual, Progress& progress, Signal& displacement, bool displaces_constraints)
-  {
-    const Eigen::Index channels = residual.cols();
-    if(displaces_constraints && has_virtual_vertices())
-      interpolate_virtual_vertices(mesh, displacement);
-    if(m_dofs.size() == 0)
-    {
-      if(!displaces_constraints)
-        displacement.setZero(mesh.number_of_vertices(), channels);
-      return ok;
-    }
-    if(displaces_constraints)
-      move_constraints_to_right_hand_side(displacement, residual);
-    if(has_virtual_vertices())
-      residual = (m_prolongation.transpose() * residual).eval();
-    Stage_scope stage(progress, Stage::SOLVE);
-    if(const Error_code code = solve_refined(residual, progress))
-      return code;
-    if(!displaces_constraints) // not before: memory is scarcest in the solver
-      displacement.setZero(mesh.number_of_vertices(), channels);
-    for_each_degree_of_freedom(parallel, m_dofs, [&](int v, int row) { displacement.row(v) = residual.row(row); });
-    if(has_virtual_vertices())
-      interpolate_virtual_vertices(mesh, displacement);
-    if(m_values_weigh_little)
-      recenter(mesh, m_coefficients.metrics, m_coefficients.weights, is_constrained, displacement);
-    return displacement.allFinite() ? ok : error_cannot_solve_linear_system;
-  }
+  Error_code solve_residual(Eigen::MatrixXd& residual, Progress& progress, Signal& displacement, bool displaces_constraints);
 
   // Virtual vertices count with what their constrained corners move them by; the rest of their move is solved for.
-  void move_constraints_to_right_hand_side(const Signal& displacement, Eigen::MatrixXd& residual) const
-  {
-    if(!has_virtual_vertices())
-    {
-      move_to_right_hand_side(mesh, m_coefficients.metrics, m_coefficients.weights, m_dofs, displacement, parallel, residual);
-      return;
-    }
-    Sparse_matrix matrix;
-    set_pattern(sparsity_pattern(mesh.one_rings(parallel), assembled_dofs(), false, parallel), parallel, matrix);
-    assemble(mesh, m_coefficients.metrics, m_coefficients.weights, assembled_dofs(), parallel, matrix);
-    Eigen::MatrixXd of_virtual = Eigen::MatrixXd::Zero(assembled_dofs().size(), residual.cols());
-    for(int v = mesh.first_virtual_vertex(); v < mesh.number_of_vertices(); ++v)
-      of_virtual.row(assembled_dofs().of_vertex[v]) = displacement.row(v);
-    residual -= matrix * of_virtual;
-    move_to_right_hand_side(mesh, m_coefficients.metrics, m_coefficients.weights, assembled_dofs(), displacement, parallel, residual);
-  }
+  void move_constraints_to_right_hand_side(const Signal& displacement, Eigen::MatrixXd& residual) const;
 
   // The solution takes the place of the right-hand side.
-  Error_code solve_refined(Eigen::MatrixXd& values, Progress& progress)
-  {
-    const auto go_on = [&] { return progress.go_on(); };
-    if(m_unshifted.size() == 0)
-      return m_solver.solve(values, values, go_on);
-    const Eigen::MatrixXd right = values;
-    Error_code code = m_solver.solve(right, values, go_on);
-    if(code != ok)
-      return code;
-    Eigen::MatrixXd residual = right - multiply(values), correction;
-    for(int step = 0; step < 20; ++step)
-    {
-      code = m_solver.solve(residual, correction, go_on);
-      if(code != ok)
-        return code;
-      const Eigen::MatrixXd better = values + correction, less = right - multiply(better);
-      if(!(less.norm() < residual.norm()))
-        break;
-      values = better;
-      residual = less;
-    }
-    return residual.norm() <= 1e-4 * right.norm() ? ok : error_cannot_solve_linear_system;
-  }
+  Error_code solve_refined(Eigen::MatrixXd& values, Progress& progress);
 
-  Eigen::MatrixXd multiply(const Eigen::MatrixXd& x) const
-  {
-    if(m_solver.reads_lower_triangle)
-      return m_unshifted.selfadjointView<Eigen::Lower>() * x;
-    return m_unshifted * x;
-  }
+  Eigen::MatrixXd multiply(const Eigen::MatrixXd& x) const;
 };
 
 } // namespace internal
 } // namespace Gradient_domain_processing
 } // namespace CGAL
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+#include <CGAL/Gradient_domain_processing/internal/energy/Linear_system_impl.h>
+#endif
 
 #endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_LINEAR_SYSTEM_H

@@ -10,7 +10,6 @@
 #include <CGAL/Gradient_domain_processing/internal/energy/sparsity_pattern.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/Indexed_triangles.h>
 
-#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -18,72 +17,24 @@ namespace Gradient_domain_processing {
 namespace internal {
 
 // The degrees of freedom followed by the virtual vertices of polygons.
-inline Degrees_of_freedom with_virtual_vertices(const Degrees_of_freedom& dofs, const Indexed_triangles& mesh)
-{
-  std::vector<int> order = dofs.vertex;
-  for(int v = mesh.first_virtual_vertex(); v < mesh.number_of_vertices(); ++v)
-    order.push_back(v);
-  return numbered(order, mesh.points.size());
-}
+Degrees_of_freedom with_virtual_vertices(const Degrees_of_freedom& dofs, const Indexed_triangles& mesh);
 
 // Virtual vertices as means of degrees of freedom: with the matrix P of this function, an energy with matrix A of all vertices
 // becomes P^T A P of the polygons' corners alone. It is symmetric and positive definite with A, and as exact on linear functions.
-inline Sparse_matrix prolongation(const Degrees_of_freedom& dofs, const Indexed_triangles& mesh)
-{
-  const Virtual_vertices& virtual_vertices = mesh.virtual_vertices;
-  std::vector<Eigen::Triplet<double> > entries;
-  for(int i = 0; i < dofs.size(); ++i)
-    entries.emplace_back(i, i, 1.);
-  for(int k = 0; k < virtual_vertices.size(); ++k)
-    for(int at = virtual_vertices.corners.offsets[k]; at < virtual_vertices.corners.offsets[k + 1]; ++at)
-    {
-      const int dof = dofs.of_vertex[mesh.vertex_of(virtual_vertices.corners.items[at])];
-      if(dof >= 0)
-        entries.emplace_back(dofs.size() + k, dof, virtual_vertices.weights[at]);
-    }
-  Sparse_matrix p(dofs.size() + virtual_vertices.size(), dofs.size());
-  p.setFromTriplets(entries.begin(), entries.end());
-  return p;
-}
+Sparse_matrix prolongation(const Degrees_of_freedom& dofs, const Indexed_triangles& mesh);
 
 // Displacements of virtual vertices from those of the corners.
-inline void interpolate_virtual_vertices(const Indexed_triangles& mesh, Signal& displacement)
-{
-  const Virtual_vertices& virtual_vertices = mesh.virtual_vertices;
-  for(int k = 0; k < virtual_vertices.size(); ++k)
-  {
-    auto row = displacement.row(mesh.first_virtual_vertex() + k);
-    row.setZero();
-    for(int at = virtual_vertices.corners.offsets[k]; at < virtual_vertices.corners.offsets[k + 1]; ++at)
-      row += virtual_vertices.weights[at] * displacement.row(mesh.vertex_of(virtual_vertices.corners.items[at]));
-  }
-}
+void interpolate_virtual_vertices(const Indexed_triangles& mesh, Signal& displacement);
 
 // The neighbors of every corner of polygons: all corners of its polygons. Virtual vertices have none.
-inline Lists rings_of_polygons(const Lists& rings, const Indexed_triangles& mesh)
-{
-  const int first = mesh.first_virtual_vertex();
-  Lists result;
-  result.offsets.push_back(0);
-  for(int v = 0; v < mesh.number_of_vertices(); ++v)
-  {
-    const std::size_t begin = result.items.size();
-    for(const int* w = rings.begin(v); w != rings.end(v) && v < first; ++w)
-      if(*w < first)
-        result.items.push_back(*w);
-      else
-        for(const int* row = mesh.virtual_vertices.corners.begin(*w - first); row != mesh.virtual_vertices.corners.end(*w - first); ++row)
-          result.items.push_back(mesh.vertex_of(*row));
-    std::sort(result.items.begin() + begin, result.items.end());
-    result.items.erase(std::unique(result.items.begin() + begin, result.items.end()), result.items.end());
-    result.items.erase(std::remove(result.items.begin() + begin, result.items.end(), v), result.items.end());
-    result.offsets.push_back(int(result.items.size()));
-  }
-  return result;
-}
+Lists rings_of_polygons(const Lists& rings, const Indexed_triangles& mesh);
 
 } // namespace internal
 } // namespace Gradient_domain_processing
 } // namespace CGAL
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+#include <CGAL/Gradient_domain_processing/internal/energy/prolongation_impl.h>
+#endif
 
 #endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_PROLONGATION_H

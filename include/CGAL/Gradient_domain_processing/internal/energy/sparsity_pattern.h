@@ -9,12 +9,8 @@
 
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/ordering/Degrees_of_freedom.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/Lists.h>
-#include <CGAL/Gradient_domain_processing/internal/parallel/parallel_blocks.h>
 
 #include <Eigen/SparseCore>
-
-#include <algorithm>
-#include <cstddef>
 
 namespace CGAL {
 namespace Gradient_domain_processing {
@@ -23,45 +19,17 @@ namespace internal {
 typedef Eigen::SparseMatrix<double> Sparse_matrix;
 
 // The sparsity pattern of alpha M + beta S, the rows of every column in increasing order: all of them, or those of the lower triangle.
-inline Lists sparsity_pattern(const Lists& rings, const Degrees_of_freedom& dofs, bool lower_only, bool parallel)
-{
-  const int n = dofs.size();
-  const auto is_in = [&](int row, int column) { return row > column || (row >= 0 && !lower_only); };
-  Lists pattern;
-  pattern.offsets.assign(n + 1, 0);
-  for_each_degree_of_freedom(parallel, dofs, [&](int v, int j) {
-    pattern.offsets[j + 1] = 1 + int(std::count_if(rings.begin(v), rings.end(v), [&](int w) {
-      return is_in(dofs.of_vertex[w], j);
-    }));
-  });
-  for(int j = 0; j < n; ++j)
-    pattern.offsets[j + 1] += pattern.offsets[j];
-  pattern.items.resize(pattern.offsets[n]);
-  for_each_degree_of_freedom(parallel, dofs, [&](int v, int j) {
-    int* const first = pattern.items.data() + pattern.offsets[j];
-    int* last = first;
-    *last++ = j;
-    for(const int* w = rings.begin(v); w != rings.end(v); ++w)
-      if(is_in(dofs.of_vertex[*w], j))
-        *last++ = dofs.of_vertex[*w];
-    std::sort(first, last);
-  });
-  return pattern;
-}
+Lists sparsity_pattern(const Lists& rings, const Degrees_of_freedom& dofs, bool lower_only, bool parallel);
 
 // Makes it a square matrix with this pattern, its values still to be set.
-inline void set_pattern(const Lists& pattern, bool parallel, Sparse_matrix& matrix)
-{
-  matrix.resize(pattern.size(), pattern.size());
-  matrix.resizeNonZeros(pattern.offsets.back());
-  std::copy(pattern.offsets.begin(), pattern.offsets.end(), matrix.outerIndexPtr());
-  for_each_block(parallel, pattern.items.size(), 1 << 16, [&](std::size_t begin, std::size_t end) { // most of it is the first touch of memory
-    std::copy(pattern.items.data() + begin, pattern.items.data() + end, matrix.innerIndexPtr() + begin);
-  });
-}
+void set_pattern(const Lists& pattern, bool parallel, Sparse_matrix& matrix);
 
 } // namespace internal
 } // namespace Gradient_domain_processing
 } // namespace CGAL
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+#include <CGAL/Gradient_domain_processing/internal/energy/sparsity_pattern_impl.h>
+#endif
 
 #endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_SPARSITY_PATTERN_H

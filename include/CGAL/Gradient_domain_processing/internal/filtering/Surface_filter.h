@@ -26,7 +26,7 @@ class Surface_filter
 protected:
   std::unique_ptr<Surface_progress<Surface> > m_progress; // the filter has its address
   Surface_elements<Surface> m_elements;
-  Filter<Solver> m_filter;
+  Filter m_filter;
   std::vector<char> m_has_face_outside; // by vertex; none: the whole surface
   int m_number_of_welded_vertices = 0;
   bool m_may_values_be_missing = false;
@@ -35,7 +35,7 @@ protected:
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   explicit Surface_filter(const CGAL_NP_CLASS& np)
     : m_progress(make_progress<Surface>(np))
-    , m_filter(parameter(np, CGAL::internal_np::sparse_linear_solver, Solver()), *m_progress)
+    , m_filter(any_linear_solver<Solver>(parameter(np, CGAL::internal_np::sparse_linear_solver, Solver())), *m_progress)
     , m_may_values_be_missing(parameter(np, CGAL::internal_np::missing_values, false))
   {
     m_progress->plan(planned_work(np));
@@ -72,7 +72,7 @@ protected:
   }
 
 public:
-  Filter<Solver>& arrays() { return m_filter; }
+  Filter& arrays() { return m_filter; }
   const Surface_elements<Surface>& elements() const { return m_elements; }
   Surface_progress<Surface>& progress() { return *m_progress; }
 

@@ -17,19 +17,7 @@ namespace internal {
 // The same factor applied several times to what is still missing, g_i = g_(i-1) + (alpha M + beta S)^-1 alpha M (f - g_(i-1)): a
 // wave that one pass multiplies by s keeps 1 - (1 - s)^order, which is flat at long waves. What is missing after one is minus the change
 // that smoothing makes of it.
-template <class Linear_solver_type>
-Error_code smooth_without_shrinking(Filter<Linear_solver_type>& filter, int order)
-{
-  Signal missing = as_signal(filter.mesh().points), change;
-  for(int i = 0; i < order; ++i)
-  {
-    if(const Error_code code = filter.solve_by_vertex(missing, change))
-      return code;
-    missing = -change;
-  }
-  filter.move_points(-missing);
-  return ok;
-}
+Error_code smooth_without_shrinking(Filter& filter, int order);
 
 // v = lambda grad f with the positions as signal; the metric follows the positions from pass to pass.
 template <class Solver, class PointMap, class NamedParameters>
@@ -40,7 +28,7 @@ Error_code filter_positions(Solver solver, PointMap point_map, double default_sc
   if(iterations < 0 || order < 1)
     return error_invalid_parameter;
   if(!Has_parameter<gradient_scale_t, NamedParameters>::value && !Has_parameter<face_gradient_scale_map_t, NamedParameters>::value)
-    solver.set_gradient_scale(default_scale);
+    solver.arrays().system.set_scale(default_scale);
 
   return move_positions(solver, point_map, np, [&](const auto& end_of_pass) {
     for(int i = 0; i < iterations; ++i)
@@ -60,5 +48,9 @@ Error_code filter_positions(Solver solver, PointMap point_map, double default_sc
 } // namespace internal
 } // namespace Gradient_domain_processing
 } // namespace CGAL
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+#include <CGAL/Gradient_domain_processing/internal/filtering/filter_positions_impl.h>
+#endif
 
 #endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FILTER_POSITIONS_H

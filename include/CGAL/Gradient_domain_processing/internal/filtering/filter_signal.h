@@ -19,69 +19,18 @@ namespace Gradient_domain_processing {
 namespace internal {
 
 // Which rows have a channel without a value.
-inline std::vector<char> missing_rows(const Signal& signal)
-{
-  std::vector<char> is_missing(std::size_t(signal.rows()));
-  for(std::size_t row = 0; row < is_missing.size(); ++row)
-    is_missing[row] = !signal.row(Eigen::Index(row)).allFinite();
-  return is_missing;
-}
+std::vector<char> missing_rows(const Signal& signal);
 
 // Weights that ask for no gradient on the faces of missing values.
-inline Energy_weights without_gradients_at(const std::vector<char>& is_missing, const Indexed_triangles& mesh, Energy_weights weights)
-{
-  if(weights.scale_at_triangle.empty())
-    weights.scale_at_triangle.assign(mesh.triangles.size(), weights.scale);
-  for(int f = 0; f < mesh.number_of_triangles(); ++f)
-    for(int row : mesh.rows_of(f))
-      if(is_missing[std::size_t(row)])
-        weights.scale_at_triangle[std::size_t(f)] = 0;
-  return weights;
-}
+Energy_weights without_gradients_at(const std::vector<char>& is_missing, const Indexed_triangles& mesh, Energy_weights weights);
 
 // Fills missing values in by the energy without a value weight, all others constrained: as smoothly as the metric has it.
-template <class Solver>
-Error_code fill_missing_values(const std::vector<char>& is_missing, Filter<Solver>& filter, Signal& signal)
-{
-  struct Restored
-  {
-    Linear_system<Solver>& system;
-    std::vector<char> is_constrained;
-    Energy_weights weights;
-    ~Restored()
-    {
-      system.set_constrained(std::move(is_constrained));
-      system.set_weights(weights);
-    }
-  };
-  const Indexed_triangles& mesh = filter.mesh();
-  const Restored scope{filter.system, filter.system.is_constrained, filter.system.weights()};
-  std::vector<char> has_value(mesh.points.size(), 1);
-  Signal filled = signal;
-  for(int row = 0; row < mesh.number_of_rows(); ++row)
-    if(is_missing[std::size_t(row)])
-    {
-      has_value[std::size_t(mesh.vertex_of(row))] = 0;
-      filled.row(row).setZero();
-    }
-  Energy_weights weights;
-  weights.value = 0;
-  weights.gradient = 1;
-  filter.system.set_constrained(std::move(has_value));
-  filter.system.set_weights(weights);
-  Signal change;
-  if(const Error_code code = filter.system.solve(Scaled_gradient(mesh, filter.system.weights(), filled), filter.progress(), change))
-    return code;
-  filter.add(change, filled);
-  for(Eigen::Index i = 0; i < signal.size(); ++i)
-    if(!std::isfinite(signal.data()[i]))
-      signal.data()[i] = filled.data()[i];
-  return ok;
-}
+template <class Void = void>
+Error_code fill_missing_values(const std::vector<char>& is_missing, Filter& filter, Signal& signal);
 
-template <class InMap, class OutMap, class Surface, class Solver>
+template <class InMap, class OutMap, class Surface>
 Error_code filter_signal(InMap in, OutMap out, int number_of_iterations, bool may_be_missing, const Surface_elements<Surface>& elements,
-                         Filter<Solver>& filter)
+                         Filter& filter)
 {
   if(number_of_iterations < 0)
     return error_invalid_parameter;
@@ -115,5 +64,9 @@ Error_code filter_signal(InMap in, OutMap out, int number_of_iterations, bool ma
 } // namespace internal
 } // namespace Gradient_domain_processing
 } // namespace CGAL
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+#include <CGAL/Gradient_domain_processing/internal/filtering/filter_signal_impl.h>
+#endif
 
 #endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FILTER_SIGNAL_H

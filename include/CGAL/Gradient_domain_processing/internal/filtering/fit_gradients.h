@@ -44,9 +44,9 @@ Error_code read_gradients(FaceGradientMap gradients, const Surface_elements<Surf
   return ok;
 }
 
-template <class InMap, class FaceGradientMap, class OutMap, class Surface, class Solver>
+template <class InMap, class FaceGradientMap, class OutMap, class Surface>
 Error_code fit_gradients(InMap in, FaceGradientMap gradients, OutMap out, const Surface_elements<Surface>& elements,
-                         Filter<Solver>& filter)
+                         Filter& filter)
 {
   if(const Error_code code = filter.ready())
     return code;

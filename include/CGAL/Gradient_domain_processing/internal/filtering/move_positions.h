@@ -56,20 +56,7 @@ Position_options read_position_options(const NamedParameters& np, bool restores_
 }
 
 // Vertices that went too far are held back on their way; virtual ones do not count. Answers how many.
-inline int limit_displacements(const std::vector<Vec3>& before, double limit, Indexed_triangles& mesh)
-{
-  int count = 0;
-  for(int v = 0; v < mesh.number_of_vertices(); ++v)
-  {
-    const Vec3 move = mesh.points[v] - before[v];
-    const double length = move.norm();
-    if(length <= limit)
-      continue;
-    mesh.points[v] = before[v] + limit / length * move;
-    count += v < mesh.first_virtual_vertex();
-  }
-  return count;
-}
+int limit_displacements(const std::vector<Vec3>& before, double limit, Indexed_triangles& mesh);
 
 // Runs passes over the positions in the solver's arrays and writes the surface when all went well. passes(end_of_pass) calls
 // end_of_pass() after each.
@@ -111,5 +98,9 @@ Error_code move_positions(Solver& solver, PointMap point_map, const NamedParamet
 } // namespace internal
 } // namespace Gradient_domain_processing
 } // namespace CGAL
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+#include <CGAL/Gradient_domain_processing/internal/filtering/move_positions_impl.h>
+#endif
 
 #endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_MOVE_POSITIONS_H

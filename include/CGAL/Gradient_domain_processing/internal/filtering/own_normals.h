@@ -16,18 +16,11 @@ namespace Gradient_domain_processing {
 namespace internal {
 
 // Sums of area-weighted normals, by row.
-inline Signal normals_by_row(const Indexed_triangles& mesh, bool parallel)
-{
-  const std::vector<Vec3> at_vertices = mesh.vertex_normals(parallel);
-  Signal normals(mesh.number_of_rows(), 3);
-  for(int row = 0; row < mesh.number_of_rows(); ++row)
-    normals.row(row) = at_vertices[mesh.vertex_of(row)].transpose();
-  return normals;
-}
+Signal normals_by_row(const Indexed_triangles& mesh, bool parallel);
 
 // The normals that the surface has at its vertices, by row: the caller's, or those above.
-template <class Solver, class Surface, class NamedParameters>
-Error_code read_own_normals(const NamedParameters& np, const Surface_elements<Surface>& elements, Filter<Solver>& filter, Signal& normals)
+template <class Surface, class NamedParameters>
+Error_code read_own_normals(const NamedParameters& np, const Surface_elements<Surface>& elements, Filter& filter, Signal& normals)
 {
   const Indexed_triangles& mesh = filter.mesh();
   if constexpr (Has_parameter<CGAL::internal_np::vertex_normal_map_t, NamedParameters>::value)
@@ -42,5 +35,9 @@ Error_code read_own_normals(const NamedParameters& np, const Surface_elements<Su
 } // namespace internal
 } // namespace Gradient_domain_processing
 } // namespace CGAL
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+#include <CGAL/Gradient_domain_processing/internal/filtering/own_normals_impl.h>
+#endif
 
 #endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_OWN_NORMALS_H

@@ -20,9 +20,9 @@ namespace Gradient_domain_processing {
 namespace internal {
 
 // What a surface that was read, with this code, is filtered with: the unit of weights, constraints and weights.
-template <class Surface, class NamedParameters, class Solver>
+template <class Surface, class NamedParameters>
 Error_code prepare_filter(const Surface& surface, const NamedParameters& np, const Reading& reading, Error_code code,
-                          const Surface_elements<Surface>& elements, const std::vector<char>& has_face_outside, Filter<Solver>& filter)
+                          const Surface_elements<Surface>& elements, const std::vector<char>& has_face_outside, Filter& filter)
 {
   filter.culprit = reading.culprit;
   filter.system.parallel = reading.parallel;

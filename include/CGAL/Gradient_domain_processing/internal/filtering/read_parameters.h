@@ -8,13 +8,14 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_READ_PARAMETERS_H
 
 #include <CGAL/Gradient_domain_processing/parameters.h>
+#include <CGAL/Gradient_domain_processing/internal/curvature/estimates.h>
+#include <CGAL/Gradient_domain_processing/internal/curvature/tangent_frame.h>
 #include <CGAL/Gradient_domain_processing/internal/filtering/Filter.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/arrange.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/signals.h>
 
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -39,47 +40,12 @@ bool read_numbers(Map map, const Elements& elements, bool is_non_negative, std::
 }
 
 // Numbers that are all the same become `same`, and none of their own: that is what costs least.
-inline std::vector<double> unless_constant(std::vector<double> numbers, double& same)
-{
-  if(numbers.empty() || !std::equal(numbers.begin() + 1, numbers.end(), numbers.begin()))
-    return numbers;
-  same = numbers.front();
-  return {};
-}
+std::vector<double> unless_constant(std::vector<double> numbers, double& same);
 
 // From rows to vertices, as their mean; virtual vertices have that of their corners.
-inline std::vector<double> at_vertices(const Indexed_triangles& mesh, std::vector<double> at_rows)
-{
-  if(mesh.vertex_of_row.empty() && mesh.virtual_vertices.size() == 0)
-    return at_rows;
-  for(int k = 0; k < mesh.virtual_vertices.size(); ++k)
-  {
-    double sum = 0;
-    for(const int* row = mesh.virtual_vertices.corners.begin(k); row != mesh.virtual_vertices.corners.end(k); ++row)
-      sum += at_rows[*row];
-    at_rows.push_back(sum / mesh.virtual_vertices.corners.size(k));
-  }
-  std::vector<double> sums(mesh.points.size(), 0.);
-  std::vector<int> counts(mesh.points.size(), 0);
-  for(int row = 0; row < mesh.number_of_rows(); ++row)
-  {
-    sums[mesh.vertex_of(row)] += at_rows[row];
-    ++counts[mesh.vertex_of(row)];
-  }
-  for(std::size_t v = 0; v < sums.size(); ++v)
-    sums[v] /= counts[v];
-  return sums;
-}
+std::vector<double> at_vertices(const Indexed_triangles& mesh, std::vector<double> at_rows);
 
-inline std::vector<double> at_triangles(const Indexed_triangles& mesh, std::vector<double> at_faces)
-{
-  if(mesh.face_of_triangle.empty())
-    return at_faces;
-  std::vector<double> numbers;
-  for(int face : mesh.face_of_triangle)
-    numbers.push_back(at_faces[face]);
-  return numbers;
-}
+std::vector<double> at_triangles(const Indexed_triangles& mesh, std::vector<double> at_faces);
 
 template <class NamedParameters>
 Reading reading_parameters(const NamedParameters& np)
@@ -93,15 +59,16 @@ Reading reading_parameters(const NamedParameters& np)
 }
 
 // alpha, beta and lambda.
-template <class Solver, class Surface, class NamedParameters>
-Error_code read_weights(const NamedParameters& np, const Surface_elements<Surface>& elements, Filter<Solver>& filter)
+template <class Surface, class NamedParameters>
+Error_code read_weights(const NamedParameters& np, const Surface_elements<Surface>& elements, Filter& filter)
 {
   using namespace CGAL::internal_np;
   Energy_weights weights;
   double beta = parameter(np, gradient_weight, 1e-4);
+  const double gamma = parameter(np, hessian_weight, 0.);
   weights.value = parameter(np, value_weight, 1.);
   weights.scale = parameter(np, gradient_scale, 0.);
-  if(!is_weight(weights.value) || !is_weight(beta) || !std::isfinite(weights.scale))
+  if(!is_weight(weights.value) || !is_weight(beta) || !is_weight(gamma) || !std::isfinite(weights.scale))
     return error_invalid_weight;
   const auto is_bad = [](const std::vector<double>& numbers, int& culprit) {
     culprit = int(numbers.size()) - 1;
@@ -131,14 +98,16 @@ Error_code read_weights(const NamedParameters& np, const Surface_elements<Surfac
     weights.scale_at_triangle = unless_constant(at_triangles(filter.mesh(), std::move(numbers)), weights.scale);
   }
   weights.gradient = beta * filter.squared_length_unit;
+  filter.set_second_order(gamma * filter.squared_length_unit * filter.squared_length_unit,
+                          parameter(np, hessian_kind, Hessian_kind::SQUARED_HESSIAN));
   filter.system.set_weights(weights);
   return ok;
 }
 
 // Vertices that the caller constrains, beside those that are already.
-template <class Solver, class Surface, class NamedParameters>
+template <class Surface, class NamedParameters>
 void read_constraints(const NamedParameters& np, const Surface_elements<Surface>& elements, std::vector<char> is_constrained,
-                      Filter<Solver>& filter)
+                      Filter& filter)
 {
   using namespace CGAL::internal_np;
   is_constrained.resize(filter.mesh().points.size(), 0);
@@ -150,12 +119,13 @@ void read_constraints(const NamedParameters& np, const Surface_elements<Surface>
         is_constrained[filter.mesh().vertex_of(int(row))] = 1;
   }
   filter.border_condition = parameter(np, border_condition, Border_condition::FREE);
+  filter.line_condition = parameter(np, non_manifold_condition, Border_condition::FREE);
   filter.constrain(std::move(is_constrained));
 }
 
 // How curvature is estimated, with the caller's normals if there are any.
-template <class Solver, class Surface, class NamedParameters>
-Error_code read_curvature_options(const NamedParameters& np, const Surface_elements<Surface>& elements, Filter<Solver>& filter,
+template <class Surface, class NamedParameters>
+Error_code read_curvature_options(const NamedParameters& np, const Surface_elements<Surface>& elements, Filter& filter,
                                   double default_presmoothing_weight, Curvature_options& options)
 {
   using namespace CGAL::internal_np;
@@ -200,8 +170,8 @@ Error_code read_curvatures(Map map, const Surface_elements<Surface>& elements, c
   return ok;
 }
 
-template <class Solver, class Surface, class NamedParameters>
-Error_code triangle_curvatures(const NamedParameters& np, const Surface_elements<Surface>& elements, Filter<Solver>& filter,
+template <class Surface, class NamedParameters>
+Error_code triangle_curvatures(const NamedParameters& np, const Surface_elements<Surface>& elements, Filter& filter,
                                std::vector<Principal_curvatures>& curvatures)
 {
   using namespace CGAL::internal_np;
@@ -223,8 +193,8 @@ Error_code triangle_curvatures(const NamedParameters& np, const Surface_elements
 }
 
 // The caller's tensors, in units of the arrays.
-template <class Map, class Surface, class Solver>
-Error_code read_metrics(Map map, const Surface_elements<Surface>& elements, Filter<Solver>& filter)
+template <class Map, class Surface>
+Error_code read_metrics(Map map, const Surface_elements<Surface>& elements, Filter& filter)
 {
   if(const Error_code code = filter.ready())
     return code;
@@ -248,9 +218,9 @@ Error_code read_metrics(Map map, const Surface_elements<Surface>& elements, Filt
   return ok;
 }
 
-template <class Kind, class Solver, class Surface, class NamedParameters>
+template <class Kind, class Surface, class NamedParameters>
 Error_code set_curvature_metric(const Kind& kind, double weight, const NamedParameters& np, const Surface_elements<Surface>& elements,
-                                Filter<Solver>& filter)
+                                Filter& filter)
 {
   Stretch stretch;
   if constexpr (std::is_same<Kind, Curvature_metric_kind>::value)
@@ -276,8 +246,8 @@ Error_code set_curvature_metric(const Kind& kind, double weight, const NamedPara
 }
 
 // The metric that the parameters describe.
-template <class Solver, class Surface, class NamedParameters>
-Error_code set_metric(const NamedParameters& np, const Surface_elements<Surface>& elements, Filter<Solver>& filter)
+template <class Surface, class NamedParameters>
+Error_code set_metric(const NamedParameters& np, const Surface_elements<Surface>& elements, Filter& filter)
 {
   using namespace CGAL::internal_np;
   if constexpr (Has_parameter<face_metric_map_t, NamedParameters>::value)
@@ -324,5 +294,9 @@ double planned_work(const NamedParameters& np)
 } // namespace internal
 } // namespace Gradient_domain_processing
 } // namespace CGAL
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+#include <CGAL/Gradient_domain_processing/internal/filtering/read_parameters_impl.h>
+#endif
 
 #endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_READ_PARAMETERS_H

@@ -8,8 +8,6 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_HIGHER_ORDER_HESSIAN_ENERGY_H
 
 #include <CGAL/Gradient_domain_processing/Hessian_kind.h>
-#include <CGAL/Gradient_domain_processing/internal/higher_order/bilaplacian.h>
-#include <CGAL/Gradient_domain_processing/internal/higher_order/curved_hessian.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/Indexed_triangles.h>
 #include <CGAL/Gradient_domain_processing/internal/metric/Triangle_metrics.h>
 
@@ -21,14 +19,15 @@ namespace internal {
 
 // The matrix Q of the energy's term of second order: gamma Q is added to alpha M + beta S. Over all vertices, stored as a whole, in
 // 1 / squared lengths of the arrays.
-inline Eigen::SparseMatrix<double> hessian_energy(const Indexed_triangles& mesh, const Triangle_metrics& metrics, Hessian_kind kind,
-                                                  bool parallel)
-{
-  return kind == Hessian_kind::BILAPLACIAN ? bilaplacian(mesh, metrics, parallel) : curved_hessian(mesh, metrics, kind, parallel);
-}
+Eigen::SparseMatrix<double> hessian_energy(const Indexed_triangles& mesh, const Triangle_metrics& metrics, Hessian_kind kind,
+                                           bool parallel);
 
 } // namespace internal
 } // namespace Gradient_domain_processing
 } // namespace CGAL
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+#include <CGAL/Gradient_domain_processing/internal/higher_order/hessian_energy_impl.h>
+#endif
 
 #endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_HIGHER_ORDER_HESSIAN_ENERGY_H

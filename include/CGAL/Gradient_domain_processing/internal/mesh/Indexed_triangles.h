@@ -13,8 +13,8 @@
 #include <CGAL/Gradient_domain_processing/internal/parallel/parallel_for.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -78,24 +78,9 @@ struct Indexed_triangles
     return Triangle_metric::embedding(points[t[0]], points[t[1]], points[t[2]]);
   }
 
-  double area(bool parallel) const
-  {
-    return sum_over_blocks(parallel, triangles.size(), 4096, 0., [&](std::size_t begin, std::size_t end) {
-      double sum = 0;
-      for(std::size_t f = begin; f < end; ++f)
-        sum += embedding_metric(int(f)).with_area_bounded_below(degeneracy_ratio).area();
-      return sum;
-    });
-  }
+  double area(bool parallel) const;
 
-  void index_corners()
-  {
-    corners = items_by_key(number_of_vertices(), [&](const auto& visit) {
-      for(int f = 0; f < number_of_triangles(); ++f)
-        for(int i = 0; i < 3; ++i)
-          visit(triangles[f][i], 3 * f + i);
-    });
-  }
+  void index_corners();
 
   // The two other vertices of the triangle at a corner, in its orientation.
   std::array<int, 2> opposite_vertices(int corner) const
@@ -114,67 +99,23 @@ struct Indexed_triangles
   }
 
   // The neighbors of every vertex.
-  Lists one_rings(bool parallel) const
-  {
-    const int n = number_of_vertices();
-    Lists rings;
-    rings.offsets.assign(n + 1, 0);
-    std::vector<int> found(2 * corners.items.size());
-    parallel_for(parallel, n, [&](std::size_t v) {
-      int* const first = found.data() + 2 * std::size_t(corners.offsets[v]);
-      int* last = first;
-      for(const int* c = corners.begin(int(v)); c != corners.end(int(v)); ++c)
-        for(int w : opposite_vertices(*c))
-        {
-          const int* at = first;
-          while(at != last && *at != w)
-            ++at;
-          if(at == last && w != int(v))
-            *last++ = w;
-        }
-      rings.offsets[v + 1] = int(last - first);
-    });
-    for(int v = 0; v < n; ++v)
-      rings.offsets[v + 1] += rings.offsets[v];
-    rings.items.resize(rings.offsets[n]);
-    parallel_for(parallel, n, [&](std::size_t v) {
-      const int* const first = found.data() + 2 * std::size_t(corners.offsets[v]);
-      std::copy(first, first + rings.size(int(v)), rings.items.begin() + rings.offsets[v]);
-    });
-    return rings;
-  }
+  Lists one_rings(bool parallel) const;
 
   // Sums of the area-weighted normals of the incident triangles, normalized; zero where they cancel.
   std::vector<Vec3> vertex_normals(bool parallel) const { return vertex_normals(points, parallel); }
-  std::vector<Vec3> vertex_normals(const std::vector<Vec3>& at, bool parallel) const
-  {
-    std::vector<Vec3> normals(at.size());
-    parallel_for(parallel, at.size(), [&](std::size_t v) {
-      Vec3 sum(0, 0, 0);
-      for(const int* c = corners.begin(int(v)); c != corners.end(int(v)); ++c)
-        sum += area_vector(*c / 3, at);
-      const double length = sum.norm();
-      normals[v] = length > 0 ? Vec3(sum / length) : Vec3(0, 0, 0);
-    });
-    return normals;
-  }
+  std::vector<Vec3> vertex_normals(const std::vector<Vec3>& at, bool parallel) const;
 };
 
-inline std::vector<Vec3> as_vectors(const Signal& signal)
-{
-  std::vector<Vec3> vectors(std::size_t(signal.rows()));
-  for(std::size_t v = 0; v < vectors.size(); ++v)
-    vectors[v] = signal.row(Eigen::Index(v)).transpose();
-  return vectors;
-}
+std::vector<Vec3> as_vectors(const Signal& signal);
 
-inline Signal as_signal(const std::vector<Vec3>& vectors)
-{
-  return Eigen::Map<const Signal>(vectors.empty() ? nullptr : vectors[0].data(), Eigen::Index(vectors.size()), 3);
-}
+Signal as_signal(const std::vector<Vec3>& vectors);
 
 } // namespace internal
 } // namespace Gradient_domain_processing
 } // namespace CGAL
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+#include <CGAL/Gradient_domain_processing/internal/mesh/Indexed_triangles_impl.h>
+#endif
 
 #endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_INDEXED_TRIANGLES_H

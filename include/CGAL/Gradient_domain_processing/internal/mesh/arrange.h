@@ -75,32 +75,16 @@ void arrange(Reading& reading, Faces& faces, const Lists& polygons, Indexed_tria
 }
 
 // Whether a face uses a vertex whose point is none.
-inline Error_code check_points(const std::vector<char>& is_bad, Reading& reading, const Indexed_triangles& mesh)
-{
-  for(int f = 0; f < mesh.number_of_triangles() && !is_bad.empty(); ++f)
-    for(int row : mesh.rows_of(f))
-      if(row < int(is_bad.size()) && is_bad[row])
-      {
-        reading.culprit.row = row;
-        return error_invalid_point;
-      }
-  return ok;
-}
+Error_code check_points(const std::vector<char>& is_bad, Reading& reading, const Indexed_triangles& mesh);
 
-inline double polygon_area(const std::vector<Vec3>& polygon)
-{
-  Indexed_triangles fan;
-  fan.points = polygon;
-  Lists corners;
-  corners.offsets = {0, int(polygon.size())};
-  for(int i = 0; i < int(polygon.size()); ++i)
-    corners.items.push_back(i);
-  fan_polygons(corners, fan);
-  return fan.area(false);
-}
+double polygon_area(const std::vector<Vec3>& polygon);
 
 } // namespace internal
 } // namespace Gradient_domain_processing
 } // namespace CGAL
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+#include <CGAL/Gradient_domain_processing/internal/mesh/arrange_impl.h>
+#endif
 
 #endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_ARRANGE_H

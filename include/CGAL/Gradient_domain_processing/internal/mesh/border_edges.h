@@ -42,29 +42,22 @@ void for_each_border_corner(const Indexed_triangles& mesh, int vertex, const Vis
       visit(*c);
 }
 
-inline std::vector<Border_edge> border_edges(const Indexed_triangles& mesh)
-{
-  std::vector<Border_edge> edges;
-  for(int v = 0; v < mesh.number_of_vertices(); ++v)
-    if(mesh.is_on_border[v])
-      for_each_border_corner(mesh, v, [&](int c) { edges.push_back({c / 3, c % 3, (c % 3 + 1) % 3}); });
-  return edges;
-}
+std::vector<Border_edge> border_edges(const Indexed_triangles& mesh);
+
+// Edges with three triangles or more, where sheets meet in a line: each once, as its first triangle has it.
+std::vector<Border_edge> line_edges(const Indexed_triangles& mesh);
+
+std::vector<char> vertices_at(const std::vector<Border_edge>& edges, const Indexed_triangles& mesh);
 
 // A vertex is on the border if an edge of one triangle leaves it or arrives at it.
-inline void mark_border(Indexed_triangles& mesh, bool parallel)
-{
-  mesh.is_on_border.assign(mesh.points.size(), 0);
-  parallel_for(parallel, mesh.points.size(), [&](std::size_t v) {
-    for(const int* c = mesh.corners.begin(int(v)); c != mesh.corners.end(int(v)) && !mesh.is_on_border[v]; ++c)
-      for(int w : mesh.opposite_vertices(*c))
-        if(number_of_triangles_at_edge(mesh, int(v), w) == 1)
-          mesh.is_on_border[v] = 1;
-  });
-}
+void mark_border(Indexed_triangles& mesh, bool parallel);
 
 } // namespace internal
 } // namespace Gradient_domain_processing
 } // namespace CGAL
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+#include <CGAL/Gradient_domain_processing/internal/mesh/border_edges_impl.h>
+#endif
 
 #endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_BORDER_EDGES_H

@@ -7,7 +7,6 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_CONNECTED_COMPONENTS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_CONNECTED_COMPONENTS_H
 
-#include <CGAL/Gradient_domain_processing/internal/mesh/Disjoint_sets.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/Indexed_triangles.h>
 
 #include <vector>
@@ -23,30 +22,14 @@ struct Components
   int count = 0;
 };
 
-inline Components connected_components(const Indexed_triangles& mesh)
-{
-  const int n = mesh.number_of_vertices();
-  Disjoint_sets sets(n);
-  for(const auto& t : mesh.triangles)
-  {
-    sets.join(t[0], t[1]);
-    sets.join(t[0], t[2]);
-  }
-  Components components;
-  components.of_vertex.resize(n);
-  std::vector<int> number(n, -1);
-  for(int v = 0; v < n; ++v)
-  {
-    int& of_root = number[sets.root(v)];
-    if(of_root < 0)
-      of_root = components.count++;
-    components.of_vertex[v] = of_root;
-  }
-  return components;
-}
+Components connected_components(const Indexed_triangles& mesh);
 
 } // namespace internal
 } // namespace Gradient_domain_processing
 } // namespace CGAL
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+#include <CGAL/Gradient_domain_processing/internal/mesh/connected_components_impl.h>
+#endif
 
 #endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_CONNECTED_COMPONENTS_H

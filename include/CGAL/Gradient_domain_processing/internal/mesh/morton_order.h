@@ -7,76 +7,23 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_MORTON_ORDER_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_MORTON_ORDER_H
 
-#include <CGAL/Gradient_domain_processing/internal/parallel/parallel_for.h>
-
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Puts two zeros before each of the lowest ten bits.
-inline std::uint32_t spread_bits(std::uint32_t x)
-{
-  x = (x | x << 16) & 0x030000FF;
-  x = (x | x << 8) & 0x0300F00F;
-  x = (x | x << 4) & 0x030C30C3;
-  return (x | x << 2) & 0x09249249;
-}
-
-struct Morton_key
-{
-  std::uint32_t key;
-  int point;
-};
-
-inline std::vector<Morton_key> morton_keys(const std::vector<Eigen::Vector3d>& points, bool parallel)
-{
-  constexpr int cells_per_axis = 1024;
-  Eigen::AlignedBox3d box;
-  for(const Eigen::Vector3d& p : points)
-    box.extend(p);
-  const double extent = points.empty() ? 0. : box.sizes().maxCoeff();
-  const double scale = extent > 0 ? (cells_per_axis - 1) / extent : 0.;
-
-  std::vector<Morton_key> keys(points.size());
-  parallel_for(parallel, points.size(), [&](std::size_t i) {
-    const Eigen::Matrix<std::uint32_t, 3, 1> cell = ((points[i] - box.min()) * scale).cast<std::uint32_t>();
-    keys[i] = {spread_bits(cell.x()) | spread_bits(cell.y()) << 1 | spread_bits(cell.z()) << 2, int(i)};
-  });
-  return keys;
-}
-
 // The points along a Morton curve: neighbors in space become neighbors in memory. Radix sort, ten bits at a time.
-inline std::vector<int> morton_order(const std::vector<Eigen::Vector3d>& points, bool parallel)
-{
-  constexpr std::uint32_t radix = 1024;
-  std::vector<Morton_key> keys = morton_keys(points, parallel), sorted(points.size());
-  for(int shift = 0; shift < 30; shift += 10)
-  {
-    const auto digit = [&](const Morton_key& k) { return (k.key >> shift) % radix; };
-    std::vector<int> position(radix + 1, 0);
-    for(const Morton_key& k : keys)
-      ++position[digit(k) + 1];
-    std::partial_sum(position.begin(), position.end(), position.begin());
-    for(const Morton_key& k : keys)
-      sorted[position[digit(k)]++] = k;
-    keys.swap(sorted);
-  }
-  std::vector<int> order(points.size());
-  std::transform(keys.begin(), keys.end(), order.begin(), [](const Morton_key& k) { return k.point; });
-  return order;
-}
+std::vector<int> morton_order(const std::vector<Eigen::Vector3d>& points, bool parallel);
 
 } // namespace internal
 } // namespace Gradient_domain_processing
 } // namespace CGAL
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+#include <CGAL/Gradient_domain_processing/internal/mesh/morton_order_impl.h>
+#endif
 
 #endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_MORTON_ORDER_H

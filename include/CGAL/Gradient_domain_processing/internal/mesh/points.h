@@ -12,7 +12,6 @@
 
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
 #include <cmath>
 #include <type_traits>
 #include <utility>
@@ -49,10 +48,14 @@ template <class Point>
 Point to_point(const Vec3& p)
 {
   if constexpr (Has_subscript<Point>::value)
+  {
+    static_assert(Signal_traits<Point>::dimension == 3, "Signal_traits says how points that have an operator[] are made of three coordinates");
     return Signal_traits<Point>::make(p.data());
+  }
   else
   {
     typedef typename std::decay<decltype(std::declval<const Point&>().x())>::type Coordinate;
+    static_assert(std::is_constructible<Point, Coordinate, Coordinate, Coordinate>::value, "points can be made from three coordinates");
     return Point(Coordinate(p[0]), Coordinate(p[1]), Coordinate(p[2]));
   }
 }
@@ -68,28 +71,14 @@ inline bool is_valid_point(const Vec3& p)
 }
 
 // Multiplies the points by the power of two that brings their extent near one.
-inline void normalize_extent(Indexed_triangles& mesh)
-{
-  if(mesh.points.empty())
-    return;
-  Vec3 low = mesh.points[0], high = mesh.points[0];
-  for(const Vec3& p : mesh.points)
-  {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  const double extent = (high - low).maxCoeff();
-  if(!(extent > 0))
-    return;
-  std::frexp(extent, &mesh.exponent);
-  mesh.exponent = (std::max)(mesh.exponent, -500); // lest the factor overflow
-  const double factor = std::ldexp(1., -mesh.exponent);
-  for(Vec3& p : mesh.points)
-    p *= factor;
-}
+void normalize_extent(Indexed_triangles& mesh);
 
 } // namespace internal
 } // namespace Gradient_domain_processing
 } // namespace CGAL
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+#include <CGAL/Gradient_domain_processing/internal/mesh/points_impl.h>
+#endif
 
 #endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_POINTS_H

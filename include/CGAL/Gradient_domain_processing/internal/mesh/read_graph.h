@@ -9,6 +9,7 @@
 
 #include <CGAL/Gradient_domain_processing/parameters.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/arrange.h>
+#include <CGAL/Gradient_domain_processing/internal/parallel/parallel_blocks.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -70,29 +71,7 @@ Lists read_faces(const Graph& graph, const Vertex_to_row& vertex_to_row, bool pa
 }
 
 // Whether all faces have three corners at least, and all corners a row.
-inline Error_code check_faces(const Lists& polygons, Reading& reading, const Indexed_triangles& mesh)
-{
-  if(polygons.offsets.empty())
-  {
-    for(int f = 0; f < mesh.number_of_triangles(); ++f)
-      if(*std::min_element(mesh.triangles[f].begin(), mesh.triangles[f].end()) < 0)
-      {
-        reading.culprit.face = f;
-        return error_invalid_index;
-      }
-    return ok;
-  }
-  for(int f = 0; f < polygons.size(); ++f)
-  {
-    reading.culprit.face = f;
-    if(polygons.size(f) < 3)
-      return error_non_triangular_mesh;
-    if(*std::min_element(polygons.begin(f), polygons.end(f)) < 0)
-      return error_invalid_index;
-  }
-  reading.culprit.face = -1;
-  return ok;
-}
+Error_code check_faces(const Lists& polygons, Reading& reading, const Indexed_triangles& mesh);
 
 // The rows of vertices by their indices. Indices have gaps where vertices were removed; -1 there.
 template <class Vertices, class IndexMap>
@@ -259,5 +238,9 @@ double total_area(const Graph& graph, VertexPointMap vpm, const Surface_elements
 } // namespace internal
 } // namespace Gradient_domain_processing
 } // namespace CGAL
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+#include <CGAL/Gradient_domain_processing/internal/mesh/read_graph_impl.h>
+#endif
 
 #endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_READ_GRAPH_H

@@ -41,17 +41,7 @@ Lists read_polygons(const Polygon_soup<PointRange, PolygonRange>& soup, const Fa
 }
 
 // Moves polygons that are all triangles to the mesh.
-inline void take_triangles(Lists& polygons, Indexed_triangles& mesh)
-{
-  for(int f = 0; f < polygons.size(); ++f)
-    if(polygons.size(f) != 3)
-      return;
-  mesh.triangles.resize(polygons.size());
-  for(int f = 0; f < polygons.size(); ++f)
-    for(int i = 0; i < 3; ++i)
-      mesh.triangles[f][i] = polygons.items[3 * f + i];
-  polygons = Lists();
-}
+void take_triangles(Lists& polygons, Indexed_triangles& mesh);
 
 // Reads what `faces` of the elements say, by the points of `vertices` of the elements; `row_of_point` is the inverse of the latter.
 template <class Soup>
@@ -182,5 +172,9 @@ double total_area(const Polygon_soup<PointRange, PolygonRange>& soup, PointMap,
 } // namespace internal
 } // namespace Gradient_domain_processing
 } // namespace CGAL
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+#include <CGAL/Gradient_domain_processing/internal/mesh/read_soup_impl.h>
+#endif
 
 #endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_READ_SOUP_H

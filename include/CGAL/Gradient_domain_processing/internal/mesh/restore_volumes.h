@@ -7,9 +7,8 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_RESTORE_VOLUMES_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_RESTORE_VOLUMES_H
 
-#include <CGAL/Gradient_domain_processing/internal/mesh/connected_components.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/Indexed_triangles.h>
 
-#include <cmath>
 #include <vector>
 
 namespace CGAL {
@@ -19,54 +18,14 @@ namespace internal {
 // Scales every component about its centroid (that of its surface) so that it encloses the volume it enclosed with the points
 // `before`. A component that has none, or whose volume is the same, is left as it is. False where one has collapsed or is turned
 // inside out.
-inline bool restore_volumes(const Indexed_triangles& mesh, const std::vector<Vec3>& before, std::vector<Vec3>& after)
-{
-  const Components components = connected_components(mesh);
-  struct Sums
-  {
-    double volume_before = 0, volume_after = 0, area_before = 0, area = 0;
-    Vec3 moment = Vec3::Zero(), origin = Vec3::Zero();
-    bool has_origin = false;
-  };
-  std::vector<Sums> sums(components.count);
-  for(const auto& t : mesh.triangles)
-  {
-    Sums& s = sums[components.of_vertex[t[0]]];
-    if(!s.has_origin)
-    {
-      s.origin = before[t[0]];
-      s.has_origin = true;
-    }
-    const auto volume = [&](const std::vector<Vec3>& p) {
-      const Vec3 a = p[t[0]] - s.origin, b = p[t[1]] - s.origin, c = p[t[2]] - s.origin;
-      return a.dot(b.cross(c)) / 6;
-    };
-    s.volume_before += volume(before);
-    s.volume_after += volume(after);
-    s.area_before += (before[t[1]] - before[t[0]]).cross(before[t[2]] - before[t[0]]).norm() / 2;
-    const Vec3 &a = after[t[0]], &b = after[t[1]], &c = after[t[2]];
-    const double area = (b - a).cross(c - a).norm() / 2;
-    s.area += area;
-    s.moment += area / 3 * ((a - s.origin) + (b - s.origin) + (c - s.origin));
-  }
-  for(const Sums& s : sums)
-    if(std::abs(s.volume_before) > 1e-9 * std::pow(s.area_before, 1.5)
-       && !(s.volume_before / s.volume_after > 0 && std::isfinite(s.volume_before / s.volume_after) && s.area > 0))
-      return false;
-  for(int v = 0; v < mesh.number_of_vertices(); ++v)
-  {
-    const Sums& s = sums[components.of_vertex[v]];
-    const double ratio = s.volume_before / s.volume_after;
-    if(!(ratio > 0) || ratio == 1 || !std::isfinite(ratio) || !(s.area > 0))
-      continue;
-    const Vec3 centroid = s.origin + s.moment / s.area;
-    after[v] = centroid + std::cbrt(ratio) * (after[v] - centroid);
-  }
-  return true;
-}
+bool restore_volumes(const Indexed_triangles& mesh, const std::vector<Vec3>& before, std::vector<Vec3>& after);
 
 } // namespace internal
 } // namespace Gradient_domain_processing
 } // namespace CGAL
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+#include <CGAL/Gradient_domain_processing/internal/mesh/restore_volumes_impl.h>
+#endif
 
 #endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_RESTORE_VOLUMES_H

@@ -99,21 +99,8 @@ Error_code read_vectors(Map map, const Surface_elements<Surface>& elements, cons
 }
 
 // By vertex: the mean over its rows.
-inline std::vector<Vec3> mean_over_rows(const Indexed_triangles& mesh, const Signal& vectors)
-{
-  if(mesh.vertex_of_row.empty())
-    return as_vectors(vectors);
-  std::vector<Vec3> sums(mesh.points.size(), Vec3(0, 0, 0));
-  std::vector<int> counts(mesh.points.size(), 0);
-  for(int row = 0; row < mesh.number_of_rows(); ++row)
-  {
-    sums[mesh.vertex_of(row)] += vectors.row(row).transpose();
-    ++counts[mesh.vertex_of(row)];
-  }
-  for(std::size_t v = 0; v < sums.size(); ++v)
-    sums[v] /= counts[v];
-  return sums;
-}
+Signal mean_by_vertex(const Indexed_triangles& mesh, const Signal& signal);
+std::vector<Vec3> mean_over_rows(const Indexed_triangles& mesh, const Signal& vectors);
 
 // The points of a surface that moved: of a seam, all sides by the same vector.
 template <class PointMap, class Surface, class Is_moved>
@@ -150,5 +137,9 @@ Error_code write_points(PointMap map, const Surface_elements<Surface>& elements,
 } // namespace internal
 } // namespace Gradient_domain_processing
 } // namespace CGAL
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+#include <CGAL/Gradient_domain_processing/internal/mesh/signals_impl.h>
+#endif
 
 #endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_SIGNALS_H

@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -50,53 +49,16 @@ private:
   double stretch(double k) const { return (std::min)(1 + weight * k * k, 1e12); }
 };
 
-inline bool is_valid_stretch(const std::pair<double, double>& s)
-{
-  return s.first > 0 && s.second > 0 && std::isfinite(s.first) && std::isfinite(s.second);
-}
-
-// The metric of a triangle, stretched. Where the principal curvatures are equal, the directions mean nothing and the metric is a
-// multiple of the embedding's.
-inline Triangle_metric stretched_metric(const Indexed_triangles& mesh, int f, const Principal_curvatures& k,
-                                        const std::pair<double, double>& s)
-{
-  const auto& t = mesh.triangles[f];
-  const double size = (std::max)(std::abs(k.min_curvature), std::abs(k.max_curvature));
-  const bool is_umbilic = k.max_curvature - k.min_curvature <= 1e-12 * size;
-  const Triangle_metric embedding = mesh.embedding_metric(f);
-  const bool is_degenerate = embedding.sqrt_determinant() <= degeneracy_ratio * embedding.max_squared_length();
-  const Triangle_metric metric = (s.first == s.second || is_umbilic || is_degenerate)
-    ? embedding.scaled(s.first == s.second ? s.first : std::sqrt(s.first * s.second))
-    : Triangle_metric::stretched(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]],
-                                 s.first, k.min_direction, s.second, k.max_direction);
-  return metric.with_area_bounded_below(degeneracy_ratio);
-}
-
 // The metric of every triangle. Names the first triangle whose stretch is none, or answers -1.
-inline int stretched_metrics(const Indexed_triangles& mesh, const std::vector<Principal_curvatures>& curvatures,
-                             const Stretch& stretch, bool parallel, Untouched_vector<Triangle_metric>& metrics)
-{
-  constexpr std::size_t block_size = 2048;
-  metrics.resize(mesh.triangles.size());
-  std::vector<int> first_bad((metrics.size() + block_size - 1) / block_size, -1);
-  for_each_block(parallel, metrics.size(), block_size, [&](std::size_t begin, std::size_t end) {
-    for(std::size_t f = begin; f < end; ++f)
-    {
-      const std::pair<double, double> s = stretch(curvatures[f].min_curvature, curvatures[f].max_curvature);
-      if(is_valid_stretch(s))
-        metrics[f] = stretched_metric(mesh, int(f), curvatures[f], s);
-      else if(first_bad[begin / block_size] < 0)
-        first_bad[begin / block_size] = int(f);
-    }
-  });
-  for(int f : first_bad)
-    if(f >= 0)
-      return f;
-  return -1;
-}
+int stretched_metrics(const Indexed_triangles& mesh, const std::vector<Principal_curvatures>& curvatures,
+                      const Stretch& stretch, bool parallel, Untouched_vector<Triangle_metric>& metrics);
 
 } // namespace internal
 } // namespace Gradient_domain_processing
 } // namespace CGAL
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+#include <CGAL/Gradient_domain_processing/internal/metric/curvature_metric_impl.h>
+#endif
 
 #endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_METRIC_CURVATURE_METRIC_H

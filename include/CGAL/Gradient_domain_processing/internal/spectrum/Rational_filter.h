@@ -7,12 +7,6 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_SPECTRUM_RATIONAL_FILTER_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_SPECTRUM_RATIONAL_FILTER_H
 
-#include <CGAL/Gradient_domain_processing/Error_code.h>
-#include <CGAL/Gradient_domain_processing/internal/linear_solver/Cholesky_factor.h>
-
-#include <Eigen/Core>
-#include <Eigen/SparseCore>
-
 #include <cmath>
 #include <vector>
 
@@ -21,9 +15,10 @@ namespace Gradient_domain_processing {
 namespace internal {
 
 // A transfer function as a sum of partial fractions, so that a signal is filtered without any harmonics, by one positive definite
-// system a fraction. Those of second degree have a pair of complex poles; with S M^-1 S in the matrix they stay real.
+// system a fraction. Those of second degree have a pair of complex poles, and are real with S M^-1 S in the matrix.
 class Rational_filter
 {
+public:
   // weight * (constant - slope z) / (z^2 + 2 shift z + 1), z = mu / cut_off; with first degree, weight / (z + 1)
   struct Fraction
   {
@@ -31,10 +26,23 @@ class Rational_filter
     bool has_second_degree;
   };
 
+private:
   double m_constant = 0;
-  std::vector<Fraction> m_fractions;
+  std::vector<Fraction> m_fractions; // those of one cut-off follow each other
 
 public:
+  double constant() const { return m_constant; }
+  const std::vector<Fraction>& fractions() const { return m_fractions; }
+
+  // The same of eigenvalues that are multiplied by a factor.
+  Rational_filter scaled(double factor) const
+  {
+    Rational_filter result = *this;
+    for(Fraction& fraction : result.m_fractions)
+      fraction.cut_off *= factor;
+    return result;
+  }
+
   // 1 / (1 + (mu / cut_off)^order), a half at the cut-off: what Butterworth filters are. At mu = q cut_off, q < 1, it is within q^order
   // of one, and at mu = cut_off / q within q^order of zero.
   static Rational_filter low_pass(double cut_off, int order)
@@ -81,38 +89,6 @@ public:
                                         : fraction.weight / (z + 1);
     }
     return sum;
-  }
-
-  // Filters a signal by the eigenvalues mu of (S, M), with a diagonal M, all of it positive; `bilaplacian` is S M^-1 S.
-  Error_code apply(const Eigen::SparseMatrix<double>& stiffness, const Eigen::VectorXd& masses,
-                   const Eigen::SparseMatrix<double>& bilaplacian, Eigen::MatrixXd& signal) const
-  {
-    Eigen::SparseMatrix<double> mass(masses.size(), masses.size());
-    mass.reserve(Eigen::VectorXi::Constant(masses.size(), 1));
-    for(int i = 0; i < int(masses.size()); ++i)
-      mass.insert(i, i) = masses[i];
-    mass.makeCompressed();
-    const Eigen::MatrixXd weighted = mass * signal, slopes = stiffness * signal;
-    Eigen::MatrixXd sum = m_constant * signal;
-    for(const Fraction& fraction : m_fractions)
-    {
-      const double c = fraction.cut_off;
-      Cholesky_factor factor;
-      Eigen::MatrixXd right = fraction.weight * weighted;
-      Eigen::SparseMatrix<double> matrix = mass + stiffness / c;
-      if(fraction.has_second_degree)
-      {
-        matrix = mass + (2 * fraction.shift / c) * stiffness + bilaplacian / (c * c);
-        right -= fraction.weight * fraction.slope / c * slopes;
-      }
-      if(const Error_code code = factor.factorize(matrix))
-        return code;
-      sum += factor.solve(right);
-    }
-    if(!sum.allFinite())
-      return error_cannot_solve_linear_system;
-    signal.swap(sum);
-    return ok;
   }
 
 private:

@@ -74,18 +74,39 @@ private:
     return int(std::lower_bound(m_values.begin(), m_values.end(), sigma) - m_values.begin());
   }
 
-  // If it is an eigenvalue, as far as rounding knows, one a little higher.
+  // If it is an eigenvalue, as far as rounding knows, one a little higher: the factor cannot tell on which side that is.
   Error_code factorize_near(double& sigma, int& below)
   {
     Error_code code = ok;
-    for(int attempt = 0; attempt < 5; ++attempt, sigma += 1e-6 * (std::abs(sigma) + mean_spacing()))
+    for(int attempt = 0; attempt < 5; ++attempt)
     {
+      const double unit = std::abs(sigma) + mean_spacing();
       code = m_factor.factorize(m_a, m_b, sigma);
-      if(code == ok)
+      if(code == ok && distance_to_spectrum() > 1e-7 * unit)
         break;
+      sigma += 1e-5 * unit;
     }
     below = code == ok ? m_factor.number_of_eigenvalues_below() : 0;
     return code;
+  }
+
+  // Of the shift, about, by inverse iteration.
+  double distance_to_spectrum() const
+  {
+    Eigen::MatrixXd x(m_a.rows(), 1);
+    for(Eigen::Index i = 0; i < x.rows(); ++i)
+      x(i, 0) = double(i * 37 % 101) - 50; // orthogonal to nothing
+    double distance = 0;
+    for(int iteration = 0; iteration < 2; ++iteration)
+    {
+      const Eigen::MatrixXd image = m_factor.solve(m_b * x);
+      const double norm = image.norm();
+      if(!(norm > 0) || !std::isfinite(norm))
+        return 0;
+      distance = x.norm() / norm;
+      x = image / norm;
+    }
+    return distance;
   }
 
   // Roughly, by Weyl's law: the mean of all eigenvalues, over their number.
@@ -115,7 +136,8 @@ private:
     }
   }
 
-  // Half a band above the last, or, when there are enough, into the widest gap above the last of these, to see whether any is missing.
+  // Half a band above the last, or, when there are enough, into the widest gap above the last of these, if there is one, to see whether
+  // any is missing.
   double next_shift(int count, double last_shift) const
   {
     const int size = int(m_values.size());
@@ -125,8 +147,10 @@ private:
       for(int i = at; i < size; ++i)
         if(gap_below(i) > gap_below(at))
           at = i;
-      return size == int(m_a.rows()) ? m_values.back() + (std::max)(1e-6 * std::abs(m_values.back()), mean_spacing())
-                                     : m_values[std::size_t(at)] - gap_below(at) / 2;
+      if(size == int(m_a.rows()))
+        return m_values.back() + (std::max)(1e-6 * std::abs(m_values.back()), mean_spacing());
+      if(gap_below(at) > 1e-6 * (std::abs(m_values[std::size_t(at)]) + mean_spacing()))
+        return m_values[std::size_t(at)] - gap_below(at) / 2;
     }
     const int back = (std::min)(band_size / 2, size - 1);
     const double span = m_values.back() - m_values[std::size_t(size - 1 - back)];

@@ -8,6 +8,7 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_TARGET_FIELD_GIVEN_GRADIENT_H
 
 #include <CGAL/Gradient_domain_processing/internal/mesh/Indexed_triangles.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/signals.h>
 
 namespace CGAL {
 namespace Gradient_domain_processing {
@@ -27,6 +28,7 @@ public:
   {}
 
   int channels() const { return int(m_signal.cols()); }
+  Signal by_vertex() const { return mean_by_vertex(m_mesh, m_signal); }
 
   template <class Channels>
   void residual(int f, int i, int j, Channels& along) const

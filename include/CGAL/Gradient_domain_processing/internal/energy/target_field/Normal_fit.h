@@ -9,6 +9,7 @@
 
 #include <CGAL/Gradient_domain_processing/enum.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/Indexed_triangles.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/signals.h>
 
 #include <cmath>
 #include <vector>
@@ -60,6 +61,7 @@ public:
   }
 
   static constexpr int channels() { return 3; }
+  Signal by_vertex() const { return as_signal(m_mesh.points); }
 
   template <class Channels>
   void residual(int f, int i, int j, Channels& along) const

@@ -9,6 +9,7 @@
 
 #include <CGAL/Gradient_domain_processing/internal/energy/Energy_weights.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/Indexed_triangles.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/signals.h>
 
 #include <vector>
 
@@ -29,6 +30,7 @@ public:
   {}
 
   int channels() const { return int(m_signal.cols()); }
+  Signal by_vertex() const { return mean_by_vertex(m_mesh, m_signal); }
 
   template <class Channels>
   void residual(int f, int i, int j, Channels& along) const
@@ -51,6 +53,7 @@ public:
   Scaled_gradient_of_positions(const Indexed_triangles& mesh, const Energy_weights& weights) : m_mesh(mesh), m_weights(weights) {}
 
   static constexpr int channels() { return 3; }
+  Signal by_vertex() const { return as_signal(m_mesh.points); }
 
   template <class Channels>
   void residual(int f, int i, int j, Channels& along) const

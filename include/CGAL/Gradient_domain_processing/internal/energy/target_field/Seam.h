@@ -9,6 +9,7 @@
 
 #include <CGAL/Gradient_domain_processing/internal/curvature/tangent_frame.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/Indexed_triangles.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/signals.h>
 
 #include <algorithm>
 #include <map>
@@ -38,6 +39,7 @@ public:
   }
 
   int channels() const { return int(m_signal.cols()); }
+  Signal by_vertex() const { return mean_by_vertex(m_mesh, m_signal); }
 
   template <class Channels>
   void residual(int f, int i, int j, Channels& along) const

@@ -7,8 +7,11 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_MULTIGRID_AGGREGATION_MULTIGRID_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_MULTIGRID_AGGREGATION_MULTIGRID_H
 
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/multigrid/Block_smoother.h>
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/multigrid/Lanes.h>
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/multigrid/Sparse_rows.h>
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/multigrid/Stiff_elimination.h>
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/multigrid/aggregation.h>
 #include <CGAL/Gradient_domain_processing/internal/parallel/parallel_blocks.h>
 
 #include <Eigen/Cholesky>
@@ -25,41 +28,43 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Smoothed aggregation multigrid (after Vanek, Mandel, Brezina 1996) as a preconditioner: one symmetric V-cycle. Coarser
-// unknowns are groups of strongly connected finer ones; where the mass dominates there are none, and the smoother is enough.
-template <class Real>
+// Aggregation multigrid as a preconditioner: one symmetric V-cycle. It is built in double precision, as the mass of a large mesh is
+// lost beside its stiffness in single; it works in single, as errors of its own cost no more than a fraction of an iteration.
 class Aggregation_multigrid
 {
-  typedef Sparse_rows<Real> Matrix;
+  typedef Sparse_rows<double> Matrix;
 
-  // Rows of a block are smoothed one after the other, blocks side by side.
-  static constexpr std::size_t block_size = 8192;
-  static constexpr int max_coarsest_size = 500;
+  static constexpr double strength_threshold = 0.08; // of couplings relative to the diagonals, on all levels
+  static constexpr int max_coarsest_size = 256;
+  static constexpr int max_number_of_eliminations = 12; // slivers that hang together take several
+  static constexpr int max_channels = 4;
 
   struct Level
   {
-    Matrix matrix, prolongation, restriction;
-    std::vector<Real> inverse_diagonal; // of the smoother
-    std::vector<Real> right, solution, residual;
+    Block_smoother smoother;
+    Sparse_rows<float> prolongation, restriction; // to and from the next, divided by the diagonals as the smoother is
+    std::vector<float> right, solution, residual;
   };
 
   // What comes before the levels, where there are slivers.
   struct Elimination_level
   {
-    Stiff_elimination<Real> elimination;
-    std::vector<Real> right, solution; // after it
+    Stiff_elimination<double> elimination;
+    std::vector<double> right, solution; // after it
   };
 
-  static constexpr int max_number_of_eliminations = 12; // slivers that hang together take several
-
-  Matrix m_finest; // where it is not that of the first level
+  Matrix m_finest;
   std::vector<Elimination_level> m_eliminations;
   std::vector<Level> m_levels;
   Eigen::LLT<Eigen::MatrixXd> m_coarsest;
   bool m_solves_coarsest = false;
   bool m_parallel = true;
+  double m_scale[max_channels] = {1, 1, 1, 1}; // brings a channel into the range of single precision
 
 public:
+  template <int K>
+  using Channels = Eigen::Array<double, K, 1>;
+
   // Builds the hierarchy. Returns whether the diagonal is positive, as it is in every positive definite matrix; and false where
   // `go_on`, asked at every level, answered so.
   bool compute(Matrix matrix, bool parallel, const std::function<bool()>& go_on = {})
@@ -67,206 +72,253 @@ public:
     m_parallel = parallel;
     m_levels.clear();
     m_eliminations.clear();
-    Matrix().swap(m_finest);
-    eliminate_stiff(matrix);
+    m_finest.swap(matrix);
+    const Matrix* finer = eliminate_stiff(matrix) ? &matrix : &m_finest;
     m_solves_coarsest = false;
-    double threshold = 0.08;
+    Matrix restriction;
     while(!go_on || go_on())
     {
       m_levels.emplace_back();
       Level& level = m_levels.back();
-      level.matrix = std::move(matrix);
-      if(!prepare_smoother(level))
+      if(!level.smoother.prepare(*finer, m_parallel))
         return false;
-      if(level.matrix.rows() <= max_coarsest_size)
+      if(m_levels.size() > 1)
+        finish_restriction(restriction, m_levels[m_levels.size() - 2], level);
+      if(finer->rows() <= max_coarsest_size)
       {
-        factorize_coarsest(level.matrix);
+        factorize_coarsest(*finer);
         return true;
       }
-      level.prolongation = prolongation(level.matrix, Real(threshold));
-      if(level.prolongation.columns == 0)
+      const Matrix p = prolongation(*finer, strength_threshold, m_parallel);
+      if(p.columns == 0)
         return true;
-      level.restriction = transpose(level.prolongation);
-      matrix = galerkin_product(level);
-      threshold /= 2;
+      level.prolongation = in_single_precision(p);
+      restriction = transpose(p);
+      matrix = galerkin_product(*finer, p, restriction, m_parallel);
+      finer = &matrix;
     }
     return false;
   }
 
-  // x = V b for K channels that lie together.
-  template <int K, class Scalar>
-  void apply(const std::vector<Scalar>& b, std::vector<Scalar>& x)
+  const Matrix& finest() const { return m_finest; }
+
+  // To be called before a series of apply(), with the largest right-hand side.
+  template <int K>
+  void begin(const std::vector<double>& b)
   {
+    const std::vector<double>& right = restricted<K>(b);
+    const std::vector<double>& inverse_diagonal = m_levels.front().smoother.inverse_diagonal();
+    Channels<K> largest = Channels<K>::Zero();
+    for(std::size_t i = 0; i < inverse_diagonal.size(); ++i)
+      for(int c = 0; c < K; ++c)
+        largest[c] = (std::max)(largest[c], std::abs(right[K * i + c] * inverse_diagonal[i]));
+    for(int c = 0; c < K; ++c)
+      m_scale[c] = largest[c] > 0 && std::isfinite(largest[c]) ? std::ldexp(1., (std::min)(-std::ilogb(largest[c]), 1000)) : 1.;
     for(Level& level : m_levels)
     {
-      const std::size_t size = K * std::size_t(level.matrix.rows());
-      if(&level != &m_levels.front())
-      {
-        level.right.resize(size);
-        level.solution.resize(size);
-      }
+      const std::size_t size = Lanes<K>::width * level.smoother.rows();
+      level.right.assign(size, 0.f);
+      level.solution.resize(size);
       level.residual.resize(size);
     }
-    if(m_eliminations.empty())
-      cycle<K>(0, b, x);
-    else
-      eliminate_and_cycle<K>(0, b, x);
   }
 
-  const Matrix& finest() const { return m_eliminations.empty() ? m_levels.front().matrix : m_finest; }
+  // x = V b for K channels that lie together. Returns their products b . x. `before(begin, end)` is called before these rows of b are
+  // read, so that they are in the cache.
+  template <int K, class Before>
+  Channels<K> apply(const std::vector<double>& b, std::vector<double>& x, const Before& before)
+  {
+    if(m_eliminations.empty())
+      return cycle_from_double<K>(b, x, before);
+    const std::size_t n = std::size_t(m_finest.rows());
+    for_each_block(m_parallel, n, block_size, before);
+    const std::vector<double>& right = restricted<K>(b);
+    cycle_from_double<K>(right, m_eliminations.back().solution, [](std::size_t, std::size_t) {});
+    for(std::size_t k = m_eliminations.size(); k-- > 0; )
+      m_eliminations[k].elimination.template prolongate<K>(k > 0 ? m_eliminations[k - 1].right : b, m_eliminations[k].solution,
+                                                           k > 0 ? m_eliminations[k - 1].solution : x, m_parallel);
+    return sum_over_blocks(m_parallel, n, block_size, Channels<K>(Channels<K>::Zero()),
+                           [&](std::size_t begin, std::size_t end) { return product<K>(b, x, begin, end); });
+  }
 
 private:
-  void eliminate_stiff(Matrix& matrix)
+  static constexpr std::size_t block_size = 8192;
+
+  // Returns whether there was anything to eliminate; then `remainder` is what is left.
+  bool eliminate_stiff(Matrix& remainder)
   {
+    const Matrix* matrix = &m_finest;
     for(int count = 0; count < max_number_of_eliminations; ++count)
     {
       Elimination_level level;
-      Matrix remainder;
-      if(!level.elimination.eliminate(matrix, m_parallel, remainder))
-        return;
-      if(count == 0)
-        m_finest.swap(matrix);
-      matrix.swap(remainder);
+      Matrix next;
+      if(!level.elimination.eliminate(*matrix, m_parallel, next))
+        break;
+      remainder.swap(next);
+      matrix = &remainder;
+      level.solution.resize(max_channels * std::size_t(remainder.rows()));
       m_eliminations.push_back(std::move(level));
     }
+    return !m_eliminations.empty();
   }
 
-  template <int K, class B, class X>
-  void eliminate_and_cycle(std::size_t depth, const B& b, X& x)
+  // b without what is eliminated.
+  template <int K>
+  const std::vector<double>& restricted(const std::vector<double>& b)
   {
-    Elimination_level& level = m_eliminations[depth];
-    level.elimination.template restrict_to<K>(b, level.right, m_parallel);
-    level.solution.resize(level.right.size());
-    if(depth + 1 < m_eliminations.size())
-      eliminate_and_cycle<K>(depth + 1, level.right, level.solution);
-    else
-      cycle<K>(0, level.right, level.solution);
-    level.elimination.template prolongate<K>(b, level.solution, x, m_parallel);
+    const std::vector<double>* right = &b;
+    for(Elimination_level& level : m_eliminations)
+    {
+      level.elimination.template restrict_to<K>(*right, level.right, m_parallel);
+      right = &level.right;
+    }
+    return *right;
   }
 
-  template <int K, class B, class X>
-  void cycle(std::size_t depth, const B& b, X& x)
+  template <int K, class Before>
+  Channels<K> cycle_from_double(const std::vector<double>& b, std::vector<double>& x, const Before& before)
+  {
+    Level& finest = m_levels.front();
+    const std::size_t block = finest.smoother.block_size();
+    const double* const inverse_diagonal = finest.smoother.inverse_diagonal().data();
+    Channels<K> scale, inverse_scale;
+    for(int c = 0; c < K; ++c)
+    {
+      scale[c] = m_scale[c];
+      inverse_scale[c] = 1 / m_scale[c];
+    }
+    const auto enter = [&](std::size_t begin, std::size_t end) {
+      before(begin, end);
+      const Channels<K> s = scale; // here, no store changes it
+      for(std::size_t i = begin; i < end; ++i)
+      {
+        const double* const from = &b[K * i];
+        float* const to = &finest.right[Lanes<K>::width * i];
+        for(int c = 0; c < K; ++c)
+          to[c] = float(s[c] * (inverse_diagonal[i] * from[c]));
+      }
+    };
+    std::vector<Channels<K> > products((finest.smoother.rows() + block - 1) / block);
+    const auto leave = [&](std::size_t begin, std::size_t end) {
+      const Channels<K> s = inverse_scale;
+      Channels<K> sum = Channels<K>::Zero();
+      for(std::size_t i = begin; i < end; ++i)
+      {
+        const float* const from = &finest.solution[Lanes<K>::width * i];
+        double* const to = &x[K * i];
+        for(int c = 0; c < K; ++c)
+        {
+          to[c] = s[c] * from[c];
+          sum[c] += b[K * i + c] * to[c];
+        }
+      }
+      products[begin / block] = sum;
+    };
+    cycle<K>(0, enter, leave);
+    Channels<K> sum = Channels<K>::Zero();
+    for(const Channels<K>& p : products)
+      sum += p;
+    return sum;
+  }
+
+  template <int K>
+  static Channels<K> product(const std::vector<double>& a, const std::vector<double>& b, std::size_t begin, std::size_t end)
+  {
+    Channels<K> sum = Channels<K>::Zero();
+    for(std::size_t i = begin; i < end; ++i)
+      for(int c = 0; c < K; ++c)
+        sum[c] += a[K * i + c] * b[K * i + c];
+    return sum;
+  }
+
+  // b of a coarser level.
+  template <int K>
+  struct Restrict
+  {
+    const Level* finer;
+    std::vector<float>* right;
+
+    void operator()(std::size_t begin, std::size_t end) const
+    {
+      const Sparse_rows<float>& a = finer->restriction;
+      for(std::size_t i = begin; i < end; ++i)
+      {
+        typename Lanes<K>::Value sum = Lanes<K>::Value::Zero();
+        for(int e = a.offset[i]; e < a.offset[i + 1]; ++e)
+          sum += a.value[e] * Lanes<K>::at(finer->residual, std::size_t(a.column[e]));
+        Lanes<K>::at(*right, i) = sum;
+      }
+    }
+  };
+
+  struct Do_nothing
+  {
+    void operator()(std::size_t, std::size_t) const {}
+  };
+
+  // Blocks of the right-hand side are made by `enter` when they are needed, and those of the solution are left to `leave`.
+  template <int K, class Enter, class Leave>
+  void cycle(std::size_t depth, const Enter& enter, const Leave& leave)
   {
     Level& level = m_levels[depth];
+    const Block_smoother& smoother = level.smoother;
+    const std::size_t n = smoother.rows();
     if(m_solves_coarsest && depth + 1 == m_levels.size())
     {
-      solve_coarsest<K>(b, x);
+      solve_coarsest<K>(level, enter, leave);
       return;
     }
-    smooth_forward<K>(level, b, x);
+    for_each_block(m_parallel, n, smoother.block_size(), [&](std::size_t begin, std::size_t end) {
+      enter(begin, end);
+      smoother.smooth_forward<K>(begin, end, level.right, level.solution, level.residual);
+    });
     if(depth + 1 < m_levels.size())
     {
+      smoother.subtract_outer<K>(level.solution, level.residual, m_parallel);
       Level& coarser = m_levels[depth + 1];
-      subtract_product<K>(level, b, x);
-      level.restriction.template multiply<K>(level.residual, coarser.right, m_parallel);
-      cycle<K>(depth + 1, coarser.right, coarser.solution);
-      add_product<K>(level.prolongation, coarser.solution, x);
+      cycle<K>(depth + 1, Restrict<K>{&level, &coarser.right}, Do_nothing());
+      add_prolonged<K>(level, coarser.solution);
     }
-    smooth_backward<K>(level, b, x);
+    smoother.subtract_outer<K>(level.solution, level.right, m_parallel);
+    for_each_block(m_parallel, n, smoother.block_size(), [&](std::size_t begin, std::size_t end) {
+      smoother.smooth_backward<K>(begin, end, level.right, level.solution);
+      leave(begin, end);
+    });
   }
 
-  // The smoother is Gauss-Seidel within blocks. What a row of a block has in common with other blocks is added to its diagonal:
-  // then it converges for every positive definite matrix (Baker, Falgout, Kolev, Yang 2011).
-  bool prepare_smoother(Level& level) const
+  template <int K>
+  void add_prolonged(Level& level, const std::vector<float>& x) const
   {
-    const Matrix& a = level.matrix;
-    level.inverse_diagonal.resize(a.rows());
-    std::vector<char> is_positive(a.rows());
-    for_each_block(m_parallel, a.rows(), block_size, [&](std::size_t begin, std::size_t end) {
+    const Sparse_rows<float>& a = level.prolongation;
+    for_each_block(m_parallel, std::size_t(a.rows()), block_size, [&](std::size_t begin, std::size_t end) {
       for(std::size_t i = begin; i < end; ++i)
       {
-        Real own = 0, others = 0;
+        typename Lanes<K>::Value sum = Lanes<K>::at(level.solution, i);
         for(int e = a.offset[i]; e < a.offset[i + 1]; ++e)
-        {
-          const std::size_t j = a.column[e];
-          if(j == i)
-            own += a.value[e];
-          else if(j < begin || j >= end)
-            others += std::abs(a.value[e]);
-        }
-        is_positive[i] = own > 0;
-        level.inverse_diagonal[i] = 1 / (own + others);
+          sum += a.value[e] * Lanes<K>::at(x, std::size_t(a.column[e]));
+        Lanes<K>::at(level.solution, i) = sum;
       }
     });
-    return std::find(is_positive.begin(), is_positive.end(), 0) == is_positive.end();
   }
 
-  // One sweep that starts from x = 0, to which what comes later in the block does not contribute.
-  template <int K, class B, class X>
-  void smooth_forward(const Level& level, const B& b, X& x) const
+  static Sparse_rows<float> in_single_precision(const Matrix& a)
   {
-    const Matrix& a = level.matrix;
-    for_each_block(m_parallel, a.rows(), block_size, [&](std::size_t begin, std::size_t end) {
+    Sparse_rows<float> result;
+    result.columns = a.columns;
+    result.offset = a.offset;
+    result.column = a.column;
+    result.value.assign(a.value.begin(), a.value.end());
+    return result;
+  }
+
+  void finish_restriction(const Matrix& r, Level& finer, const Level& coarser) const
+  {
+    finer.restriction = in_single_precision(r);
+    for_each_block(m_parallel, std::size_t(r.rows()), block_size, [&](std::size_t begin, std::size_t end) {
       for(std::size_t i = begin; i < end; ++i)
-      {
-        Real sum[K];
-        for(int c = 0; c < K; ++c)
-          sum[c] = Real(b[K * i + c]);
-        for(int e = a.offset[i]; e < a.offset[i + 1]; ++e)
-        {
-          const std::size_t j = a.column[e];
-          if(j >= begin && j < i)
-            for(int c = 0; c < K; ++c)
-              sum[c] -= a.value[e] * Real(x[K * j + c]);
-        }
-        for(int c = 0; c < K; ++c)
-          x[K * i + c] = sum[c] * level.inverse_diagonal[i];
-      }
-    });
-  }
-
-  // One sweep in the opposite order, the adjoint of the other. Blocks read each other's old values, which are set aside.
-  template <int K, class B, class X>
-  void smooth_backward(Level& level, const B& b, X& x) const
-  {
-    const Matrix& a = level.matrix;
-    for_each_block(m_parallel, level.residual.size(), block_size,
-                   [&](std::size_t begin, std::size_t end) { std::copy(&x[begin], &x[begin] + (end - begin), &level.residual[begin]); });
-    for_each_block(m_parallel, a.rows(), block_size, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t i = end; i-- > begin; )
-      {
-        Real sum[K];
-        for(int c = 0; c < K; ++c)
-          sum[c] = Real(b[K * i + c]);
-        for(int e = a.offset[i]; e < a.offset[i + 1]; ++e)
-        {
-          const std::size_t j = a.column[e];
-          const auto* at = j >= begin && j < end ? &x[K * j] : &level.residual[K * j];
-          for(int c = 0; c < K; ++c)
-            sum[c] -= a.value[e] * Real(at[c]);
-        }
-        for(int c = 0; c < K; ++c)
-          x[K * i + c] += sum[c] * level.inverse_diagonal[i];
-      }
-    });
-  }
-
-  // residual = b - A x
-  template <int K, class B, class X>
-  void subtract_product(Level& level, const B& b, const X& x) const
-  {
-    for_each_block(m_parallel, level.matrix.rows(), block_size, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t i = begin; i < end; ++i)
-      {
-        Real sum[K];
-        level.matrix.template multiply_row<K>(i, x, sum);
-        for(int c = 0; c < K; ++c)
-          level.residual[K * i + c] = Real(b[K * i + c]) - sum[c];
-      }
-    });
-  }
-
-  template <int K, class X, class Y>
-  void add_product(const Matrix& a, const X& x, Y& y) const
-  {
-    for_each_block(m_parallel, a.rows(), block_size, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t i = begin; i < end; ++i)
-      {
-        Real sum[K];
-        a.template multiply_row<K>(i, x, sum);
-        for(int c = 0; c < K; ++c)
-          y[K * i + c] += sum[c];
-      }
+        for(int e = r.offset[i]; e < r.offset[i + 1]; ++e)
+          finer.restriction.value[e] = float(r.value[e] * coarser.smoother.inverse_diagonal()[i]
+                                             / finer.smoother.inverse_diagonal()[std::size_t(r.column[e])]);
     });
   }
 
@@ -280,115 +332,21 @@ private:
     m_solves_coarsest = m_coarsest.info() == Eigen::Success;
   }
 
-  template <int K, class B, class X>
-  void solve_coarsest(const B& b, X& x) const
+  template <int K, class Enter, class Leave>
+  void solve_coarsest(Level& level, const Enter& enter, const Leave& leave) const
   {
-    const int n = int(m_coarsest.rows());
+    constexpr int width = Lanes<K>::width;
+    const std::size_t n = level.smoother.rows();
+    enter(0, n);
     Eigen::MatrixXd block(n, K);
-    for(int i = 0; i < n; ++i)
+    for(std::size_t i = 0; i < n; ++i)
       for(int c = 0; c < K; ++c)
-        block(i, c) = b[K * i + c];
+        block(i, c) = level.right[width * i + c] / level.smoother.inverse_diagonal()[i];
     m_coarsest.solveInPlace(block);
-    for(int i = 0; i < n; ++i)
-      for(int c = 0; c < K; ++c)
-        x[K * i + c] = block(i, c);
-  }
-
-  // Strong couplings pull two unknowns together; those of obtuse angles and of the mass push, and are not among them.
-  static bool is_strong(Real coupling, Real d_i, Real d_j, Real threshold)
-  {
-    return coupling < 0 && coupling * coupling > threshold * threshold * d_i * d_j;
-  }
-
-  // P = (I - omega D^-1 A') T: T has a column for every aggregate, A' is the matrix with its weak couplings moved to the
-  // diagonal D. A' is diagonally dominant, which bounds D^-1 A' by 2 and gives the best omega, 4/3 of the bound's inverse.
-  Matrix prolongation(const Matrix& a, Real threshold) const
-  {
-    const Real omega = Real(2. / 3);
-    const std::vector<Real> diagonal = a.diagonal();
-    std::vector<int> aggregate;
-    const int number_of_aggregates = aggregate_unknowns(a, diagonal, threshold, aggregate);
-    return build_rows<Real>(m_parallel, a.rows(), number_of_aggregates, [&](std::size_t i, auto& row) {
-      if(aggregate[i] < 0)
-        return;
-      Real filtered = 0, strong = 0;
-      for(int e = a.offset[i]; e < a.offset[i + 1]; ++e)
-        if(is_strong(a.value[e], diagonal[i], diagonal[a.column[e]], threshold))
-          strong -= a.value[e];
-        else
-          filtered += a.value[e];
-      filtered = (std::max)(filtered, strong); // obtuse angles at constrained vertices may leave less
-      for(int e = a.offset[i]; e < a.offset[i + 1]; ++e)
-      {
-        const int j = a.column[e];
-        if(is_strong(a.value[e], diagonal[i], diagonal[j], threshold) && aggregate[j] >= 0)
-          row.add(aggregate[j], -omega * a.value[e] / filtered);
-      }
-      row.add(aggregate[i], 1 - omega);
-    });
-  }
-
-  // An unknown whose strong neighbors are all free makes an aggregate with them; the others join the neighbor they are coupled
-  // to most strongly. One without strong neighbors is in none.
-  static int aggregate_unknowns(const Matrix& a, const std::vector<Real>& diagonal, Real threshold, std::vector<int>& aggregate)
-  {
-    const int n = a.rows();
-    int count = 0;
-    aggregate.assign(n, -1);
-    for(int i = 0; i < n; ++i)
-    {
-      if(aggregate[i] >= 0)
-        continue;
-      bool is_free = true, has_neighbors = false;
-      for(int e = a.offset[i]; e < a.offset[i + 1] && is_free; ++e)
-        if(is_strong(a.value[e], diagonal[i], diagonal[a.column[e]], threshold))
-        {
-          has_neighbors = true;
-          is_free = aggregate[a.column[e]] < 0;
-        }
-      if(!is_free || !has_neighbors)
-        continue;
-      aggregate[i] = count;
-      for(int e = a.offset[i]; e < a.offset[i + 1]; ++e)
-        if(is_strong(a.value[e], diagonal[i], diagonal[a.column[e]], threshold))
-          aggregate[a.column[e]] = count;
-      ++count;
-    }
-
-    const std::vector<int> roots = aggregate;
-    for(int i = 0; i < n; ++i)
-    {
-      Real strongest = 0;
-      for(int e = a.offset[i]; roots[i] < 0 && e < a.offset[i + 1]; ++e)
-      {
-        const int j = a.column[e];
-        if(roots[j] >= 0 && a.value[e] < strongest && is_strong(a.value[e], diagonal[i], diagonal[j], threshold))
-        {
-          strongest = a.value[e];
-          aggregate[i] = roots[j];
-        }
-      }
-    }
-    return count;
-  }
-
-  // P^T A P, a row at a time.
-  Matrix galerkin_product(const Level& level) const
-  {
-    const Matrix &a = level.matrix, &p = level.prolongation, &r = level.restriction;
-    return build_rows<Real>(m_parallel, r.rows(), r.rows(), [&](std::size_t row_index, auto& row) {
-      for(int e = r.offset[row_index]; e < r.offset[row_index + 1]; ++e)
-      {
-        const int i = r.column[e];
-        for(int f = a.offset[i]; f < a.offset[i + 1]; ++f)
-        {
-          const int j = a.column[f];
-          const Real product = r.value[e] * a.value[f];
-          for(int g = p.offset[j]; g < p.offset[j + 1]; ++g)
-            row.add(p.column[g], product * p.value[g]);
-        }
-      }
-    });
+    for(std::size_t i = 0; i < n; ++i)
+      for(int c = 0; c < width; ++c)
+        level.solution[width * i + c] = c < K ? float(block(i, c)) : 0.f;
+    leave(0, n);
   }
 };
 

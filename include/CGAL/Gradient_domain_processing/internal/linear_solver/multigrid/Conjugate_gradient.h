@@ -31,9 +31,9 @@ class Conjugate_gradient
   static constexpr std::size_t block_size = 8192;
 
   template <int K>
-  using Channels = Eigen::Array<double, K, 1>;
+  using Channels = Aggregation_multigrid::Channels<K>;
 
-  Aggregation_multigrid<double> m_preconditioner;
+  Aggregation_multigrid m_preconditioner;
 
 public:
   double tolerance = 1e-10;
@@ -106,40 +106,41 @@ private:
         r[K * i + c] = right(i, first + c);
     });
 
-    Channels<K> rho, step, old_rho, limit;
-    m_preconditioner.apply<K>(r, z);
-    rho = dot<K>(r, z);
-    const Channels<K> initial = rho;
-    old_rho = initial;
-    limit = tolerance * tolerance * initial;
+    Channels<K> step = Channels<K>::Zero(), curvature;
+    m_preconditioner.begin<K>(r);
+    Channels<K> rho = m_preconditioner.apply<K>(r, z, [](std::size_t, std::size_t) {}), old_rho = rho;
+    const Channels<K> initial = rho, limit = tolerance * tolerance * initial;
     bool is_sound = (rho >= 0).all() && rho.allFinite();
     int count = 0;
     while(is_sound && (rho > limit).any() && count < max_iterations && asked(go_on))
     {
       const Channels<K> turn = count > 0 ? quotient<K>(rho, old_rho, rho > limit) : Channels<K>(Channels<K>::Zero());
-      for_each_row(n, [&](std::size_t i) {
-        for(int c = 0; c < K; ++c)
-          p[K * i + c] = z[K * i + c] + turn[c] * p[K * i + c];
+      for_each_block(parallel, n, block_size, [&](std::size_t begin, std::size_t end) {
+        const Channels<K> last_step = step, t = turn;
+        for(std::size_t i = begin; i < end; ++i)
+          for(int c = 0; c < K; ++c)
+          {
+            double& direction = p[K * i + c];
+            x[K * i + c] += last_step[c] * direction; // x follows by one step
+            direction = z[K * i + c] + t[c] * direction;
+          }
       });
-      const Channels<K> curvature = product<K>(p, z);
+      curvature = product<K>(p, z);
       step = quotient<K>(rho, curvature, rho > limit);
-      for_each_row(n, [&](std::size_t i) {
-        for(int c = 0; c < K; ++c)
-        {
-          x[K * i + c] += step[c] * p[K * i + c];
-          r[K * i + c] -= step[c] * z[K * i + c];
-        }
-      });
-      m_preconditioner.apply<K>(r, z);
       old_rho = rho;
-      rho = dot<K>(r, z);
+      rho = m_preconditioner.apply<K>(r, z, [&](std::size_t begin, std::size_t end) {
+        const Channels<K> s = step;
+        for(std::size_t i = begin; i < end; ++i)
+          for(int c = 0; c < K; ++c)
+            r[K * i + c] -= s[c] * z[K * i + c];
+      });
       is_sound = (rho >= 0).all() && rho.allFinite() && (curvature > 0 || old_rho <= limit).all();
       ++count;
     }
 
     for_each_row(n, [&](std::size_t i) {
       for(int c = 0; c < K; ++c)
-        solution(i, first + c) = x[K * i + c];
+        solution(i, first + c) = x[K * i + c] + step[c] * p[K * i + c];
     });
     iterations = (std::max)(iterations, count);
     for(int c = 0; c < K; ++c)
@@ -164,19 +165,6 @@ private:
     });
   }
 
-  template <int K>
-  Channels<K> dot(const std::vector<double>& a, const std::vector<double>& b) const
-  {
-    const Channels<K> zero = Channels<K>::Zero();
-    return sum_over_blocks(parallel, a.size() / K, block_size, zero, [&](std::size_t begin, std::size_t end) {
-      Channels<K> sum = zero;
-      for(std::size_t i = begin; i < end; ++i)
-        for(int c = 0; c < K; ++c)
-          sum[c] += a[K * i + c] * b[K * i + c];
-      return sum;
-    });
-  }
-
   // q = A p; returns p . q
   template <int K>
   Channels<K> product(const std::vector<double>& p, std::vector<double>& q) const
@@ -185,11 +173,16 @@ private:
     const Channels<K> zero = Channels<K>::Zero();
     return sum_over_blocks(parallel, p.size() / K, block_size, zero, [&](std::size_t begin, std::size_t end) {
       Channels<K> sum = zero;
+      const double* const from = p.data();
+      double* const to = q.data();
       for(std::size_t i = begin; i < end; ++i)
       {
-        a.template multiply_row<K>(i, p, &q[K * i]);
+        Channels<K> row = zero;
+        for(int e = a.offset[i]; e < a.offset[i + 1]; ++e)
+          row += a.value[e] * Eigen::Map<const Channels<K> >(from + K * std::size_t(a.column[e]));
         for(int c = 0; c < K; ++c)
-          sum[c] += p[K * i + c] * q[K * i + c];
+          to[K * i + c] = row[c];
+        sum += row * Eigen::Map<const Channels<K> >(from + K * i);
       }
       return sum;
     });

@@ -8,10 +8,8 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_ORDERING_ELIMINATION_ORDER_H
 
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/ordering/Degrees_of_freedom.h>
-#include <CGAL/Gradient_domain_processing/internal/linear_solver/ordering/nested_dissection.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/Indexed_triangles.h>
 
-#include <algorithm>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -38,59 +36,19 @@ std::vector<int> elimination_tree(int n, const For_each_earlier& for_each_earlie
 
 // The nodes of a forest with parent[j] > j, every one after all below it. As an order of elimination it fills in as the order of the
 // numbers does, and columns of the factor with like entries come together: a solver need not permute the matrix for that.
-inline std::vector<int> postorder(const std::vector<int>& parent)
-{
-  const int n = int(parent.size());
-  std::vector<int> first_child(n + 1, -1), next_sibling(n, -1), order, path; // the roots are children of n
-  for(int j = n - 1; j >= 0; --j)
-    next_sibling[j] = std::exchange(first_child[parent[j] < 0 ? n : parent[j]], j);
-  order.reserve(n);
-  for(int root = first_child[n]; root != -1; root = next_sibling[root])
-  {
-    path.push_back(root);
-    while(!path.empty())
-    {
-      const int child = first_child[path.back()];
-      if(child != -1)
-      {
-        first_child[path.back()] = next_sibling[child];
-        path.push_back(child);
-      }
-      else
-      {
-        order.push_back(path.back());
-        path.pop_back();
-      }
-    }
-  }
-  return order;
-}
+std::vector<int> postorder(const std::vector<int>& parent);
 
 // The vertices of a graph that are solved for, in the order in which they are eliminated. `go_on` is asked often, by the calling
 // thread only; where it answers false, the order is empty.
-inline Degrees_of_freedom elimination_order(const std::vector<Vec3>& points, const Lists& graph, const std::vector<char>& is_solved_for,
-                                            bool parallel, const std::function<bool()>& go_on = {})
-{
-  std::vector<int> order = nested_dissection(points, graph.offsets, graph.items, parallel, go_on);
-  order.erase(std::remove_if(order.begin(), order.end(), [&](int v) { return !is_solved_for[v]; }), order.end());
-  const std::vector<int> place = numbered(order, points.size()).of_vertex;
-  bool is_cancelled = false;
-  std::vector<int> result = postorder(elimination_tree(int(order.size()), [&](int j, const auto& visit) {
-    if(j % 20000 == 0 && go_on && !is_cancelled)
-      is_cancelled = !go_on();
-    for(const int* w = graph.begin(order[j]); w != graph.end(order[j]) && !is_cancelled; ++w)
-      if(place[*w] >= 0 && place[*w] < j)
-        visit(place[*w]);
-  }));
-  if(is_cancelled)
-    result.clear();
-  for(int& j : result)
-    j = order[j];
-  return numbered(std::move(result), points.size());
-}
+Degrees_of_freedom elimination_order(const std::vector<Vec3>& points, const Lists& graph, const std::vector<char>& is_solved_for,
+                                     bool parallel, const std::function<bool()>& go_on = {});
 
 } // namespace internal
 } // namespace Gradient_domain_processing
 } // namespace CGAL
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/ordering/elimination_order_impl.h>
+#endif
 
 #endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_ORDERING_ELIMINATION_ORDER_H

@@ -1,0 +1,84 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FILTER_SIGNAL_IMPL_H
+#define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FILTER_SIGNAL_IMPL_H
+
+#include <CGAL/Gradient_domain_processing/internal/filtering/filter_signal.h>
+#include <CGAL/Gradient_domain_processing/internal/energy/target_field/Scaled_gradient.h>
+#include <CGAL/Gradient_domain_processing/internal/separate_compilation.h>
+
+namespace CGAL {
+namespace Gradient_domain_processing {
+namespace internal {
+
+CGAL_GDP_INLINE std::vector<char> missing_rows(const Signal& signal)
+{
+  std::vector<char> is_missing(std::size_t(signal.rows()));
+  for(std::size_t row = 0; row < is_missing.size(); ++row)
+    is_missing[row] = !signal.row(Eigen::Index(row)).allFinite();
+  return is_missing;
+}
+
+CGAL_GDP_INLINE Energy_weights without_gradients_at(const std::vector<char>& is_missing, const Indexed_triangles& mesh, Energy_weights weights)
+{
+  if(weights.scale_at_triangle.empty())
+    weights.scale_at_triangle.assign(mesh.triangles.size(), weights.scale);
+  for(int f = 0; f < mesh.number_of_triangles(); ++f)
+    for(int row : mesh.rows_of(f))
+      if(is_missing[std::size_t(row)])
+        weights.scale_at_triangle[std::size_t(f)] = 0;
+  return weights;
+}
+
+template <class Void>
+Error_code fill_missing_values(const std::vector<char>& is_missing, Filter& filter, Signal& signal)
+{
+  struct Restored
+  {
+    Linear_system& system;
+    std::vector<char> is_constrained;
+    Energy_weights weights;
+    ~Restored()
+    {
+      system.set_constrained(std::move(is_constrained));
+      system.set_weights(weights);
+    }
+  };
+  const Indexed_triangles& mesh = filter.mesh();
+  const Restored scope{filter.system, filter.system.is_constrained, filter.system.weights()};
+  std::vector<char> has_value(mesh.points.size(), 1);
+  Signal filled = signal;
+  for(int row = 0; row < mesh.number_of_rows(); ++row)
+    if(is_missing[std::size_t(row)])
+    {
+      has_value[std::size_t(mesh.vertex_of(row))] = 0;
+      filled.row(row).setZero();
+    }
+  Energy_weights weights;
+  weights.value = 0;
+  weights.gradient = 1;
+  filter.system.set_constrained(std::move(has_value));
+  filter.system.set_weights(weights);
+  Signal change;
+  if(const Error_code code = filter.system.solve(Scaled_gradient(mesh, filter.system.weights(), filled), filter.progress(), change))
+    return code;
+  filter.add(change, filled);
+  for(Eigen::Index i = 0; i < signal.size(); ++i)
+    if(!std::isfinite(signal.data()[i]))
+      signal.data()[i] = filled.data()[i];
+  return ok;
+}
+
+#ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+template Error_code fill_missing_values<>(const std::vector<char>& is_missing, Filter& filter, Signal& signal);
+#endif
+
+} // namespace internal
+} // namespace Gradient_domain_processing
+} // namespace CGAL
+
+#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FILTER_SIGNAL_IMPL_H

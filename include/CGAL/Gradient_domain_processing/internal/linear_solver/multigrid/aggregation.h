@@ -1,0 +1,125 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_MULTIGRID_AGGREGATION_H
+#define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_MULTIGRID_AGGREGATION_H
+
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/multigrid/Sparse_rows.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Gradient_domain_processing {
+namespace internal {
+
+// Smoothed aggregation (after Vanek, Mandel, Brezina 1996): coarser unknowns are groups of strongly connected finer ones; where the mass
+// dominates there are none.
+
+// Strong couplings pull two unknowns together; those of obtuse angles and of the mass push, and are not among them.
+inline bool is_strong(double coupling, double d_i, double d_j, double threshold)
+{
+  return coupling < 0 && coupling * coupling > threshold * threshold * d_i * d_j;
+}
+
+// An unknown whose strong neighbors are all free makes an aggregate with them; the others join the neighbor they are coupled
+// to most strongly. One without strong neighbors is in none.
+inline int aggregate_unknowns(const Sparse_rows<double>& a, const std::vector<double>& diagonal, double threshold,
+                              std::vector<int>& aggregate)
+{
+  const int n = a.rows();
+  int count = 0;
+  aggregate.assign(n, -1);
+  for(int i = 0; i < n; ++i)
+  {
+    if(aggregate[i] >= 0)
+      continue;
+    bool is_free = true, has_neighbors = false;
+    for(int e = a.offset[i]; e < a.offset[i + 1] && is_free; ++e)
+      if(is_strong(a.value[e], diagonal[i], diagonal[a.column[e]], threshold))
+      {
+        has_neighbors = true;
+        is_free = aggregate[a.column[e]] < 0;
+      }
+    if(!is_free || !has_neighbors)
+      continue;
+    aggregate[i] = count;
+    for(int e = a.offset[i]; e < a.offset[i + 1]; ++e)
+      if(is_strong(a.value[e], diagonal[i], diagonal[a.column[e]], threshold))
+        aggregate[a.column[e]] = count;
+    ++count;
+  }
+
+  const std::vector<int> roots = aggregate;
+  for(int i = 0; i < n; ++i)
+  {
+    double strongest = 0;
+    for(int e = a.offset[i]; roots[i] < 0 && e < a.offset[i + 1]; ++e)
+    {
+      const int j = a.column[e];
+      if(roots[j] >= 0 && a.value[e] < strongest && is_strong(a.value[e], diagonal[i], diagonal[j], threshold))
+      {
+        strongest = a.value[e];
+        aggregate[i] = roots[j];
+      }
+    }
+  }
+  return count;
+}
+
+// P = (I - omega D^-1 A') T: T has a column for every aggregate, A' is the matrix with its weak couplings moved to the
+// diagonal D. A' is diagonally dominant, which bounds D^-1 A' by 2 and gives the best omega, 4/3 of the bound's inverse.
+inline Sparse_rows<double> prolongation(const Sparse_rows<double>& a, double threshold, bool parallel)
+{
+  const double omega = 2. / 3;
+  const std::vector<double> diagonal = a.diagonal();
+  std::vector<int> aggregate;
+  const int number_of_aggregates = aggregate_unknowns(a, diagonal, threshold, aggregate);
+  return build_rows<double>(parallel, a.rows(), number_of_aggregates, [&](std::size_t i, auto& row) {
+    if(aggregate[i] < 0)
+      return;
+    double filtered = 0, strong = 0;
+    for(int e = a.offset[i]; e < a.offset[i + 1]; ++e)
+      if(is_strong(a.value[e], diagonal[i], diagonal[a.column[e]], threshold))
+        strong -= a.value[e];
+      else
+        filtered += a.value[e];
+    filtered = (std::max)(filtered, strong); // obtuse angles at constrained vertices may leave less
+    for(int e = a.offset[i]; e < a.offset[i + 1]; ++e)
+    {
+      const int j = a.column[e];
+      if(is_strong(a.value[e], diagonal[i], diagonal[j], threshold) && aggregate[j] >= 0)
+        row.add(aggregate[j], -omega * a.value[e] / filtered);
+    }
+    row.add(aggregate[i], 1 - omega);
+  });
+}
+
+// P^T A P, a row at a time.
+inline Sparse_rows<double> galerkin_product(const Sparse_rows<double>& a, const Sparse_rows<double>& p, const Sparse_rows<double>& r,
+                                           bool parallel)
+{
+  return build_rows<double>(parallel, r.rows(), r.rows(), [&](std::size_t row_index, auto& row) {
+    for(int e = r.offset[row_index]; e < r.offset[row_index + 1]; ++e)
+    {
+      const int i = r.column[e];
+      for(int f = a.offset[i]; f < a.offset[i + 1]; ++f)
+      {
+        const int j = a.column[f];
+        const double product = r.value[e] * a.value[f];
+        for(int g = p.offset[j]; g < p.offset[j + 1]; ++g)
+          row.add(p.column[g], product * p.value[g]);
+      }
+    }
+  });
+}
+
+} // namespace internal
+} // namespace Gradient_domain_processing
+} // namespace CGAL
+
+#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_MULTIGRID_AGGREGATION_H

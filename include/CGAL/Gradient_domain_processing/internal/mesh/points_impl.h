@@ -1,0 +1,43 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_POINTS_IMPL_H
+#define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_POINTS_IMPL_H
+
+#include <CGAL/Gradient_domain_processing/internal/mesh/points.h>
+#include <CGAL/Gradient_domain_processing/internal/separate_compilation.h>
+
+#include <algorithm>
+
+namespace CGAL {
+namespace Gradient_domain_processing {
+namespace internal {
+
+CGAL_GDP_INLINE void normalize_extent(Indexed_triangles& mesh)
+{
+  if(mesh.points.empty())
+    return;
+  Vec3 low = mesh.points[0], high = mesh.points[0];
+  for(const Vec3& p : mesh.points)
+  {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const double extent = (high - low).maxCoeff();
+  if(!(extent > 0))
+    return;
+  std::frexp(extent, &mesh.exponent);
+  mesh.exponent = (std::max)(mesh.exponent, -500); // lest the factor overflow
+  const double factor = std::ldexp(1., -mesh.exponent);
+  for(Vec3& p : mesh.points)
+    p *= factor;
+}
+
+} // namespace internal
+} // namespace Gradient_domain_processing
+} // namespace CGAL
+
+#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_POINTS_IMPL_H
