@@ -217,7 +217,7 @@ void chooses_passes()
   const int of_creased = passes_by_default(creased), of_smooth = passes_by_default(smooth);
   std::cout << "passes: creased " << of_creased << ", smooth " << of_smooth << std::endl;
   GDP_CHECK(of_creased >= 15);
-  GDP_CHECK(of_smooth >= 4 && of_smooth <= 7);
+  GDP_CHECK(of_smooth >= 4 && of_smooth <= 9);
 }
 
 bool touches_border(const Mesh& mesh, Face f)

@@ -26,10 +26,11 @@ namespace Gradient_domain_processing {
  *   neighboring normals (Geman and McClure's function; twice a pass). The distance \f$ \sigma \f$ that counts as similar and the
  *   weight \f$ \beta \f$ of the smoothing follow from the noise; \f$ \beta \f$ grows with the square of its scale;
  * - the positions are fitted by equation 1 of the paper, under the metric of equilateral triangles, with the values of the noisy input
- *   and the target \f$ v = (I - n n^T) \nabla x \f$, the tangential part of the current gradients. So vertices do not slide.
+ *   and the target \f$ v = (I - n n^T) \nabla x \f$, the tangential part of the current gradients. So vertices do not slide;
+ * - what was taken away and goes on from vertex to vertex is detail: it is given back where it is stronger than noise would be.
  *
  * The passes go on while what they remove looks like noise, 20 times at most; where no flat pieces between creases have come out
- * after 6 or 7 passes and normals have settled, the surface is smooth and they end. After the fifth pass the faces at a border stay
+ * after 8 or 9 passes and normals have settled, the surface is smooth and they end. After the fifth pass the faces at a border stay
  * as they are. A clean mesh is returned as it is: its roughness is not taken for noise where neighboring vertices stand out
  * together, or lie in the planes of larger facets. Where any of the parameters below is named for such a mesh, it is obeyed.
  *
@@ -41,7 +42,7 @@ namespace Gradient_domain_processing {
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{number_of_iterations}
- *     \cgalParamDescription{the number of passes: about 5 to 7 suit smooth scans, 15 to 20 creased parts}
+ *     \cgalParamDescription{the number of passes: about 5 to 9 suit smooth scans, 15 to 20 creased parts}
  *     \cgalParamType{`unsigned int`}
  *     \cgalParamDefault{chosen from the data, at most 20}
  *   \cgalParamNEnd

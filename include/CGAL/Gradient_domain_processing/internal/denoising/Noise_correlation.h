@@ -112,12 +112,13 @@ inline bool has_correlated_noise(const Indexed_triangles& mesh, const Dual_graph
     return false;
   const auto most = angles.begin() + std::ptrdiff_t(angles.size() * 4 / 5);
   std::nth_element(angles.begin(), most, angles.end());
-  if(*most < denoising::least_rough_angle || is_faceted(mesh, faces, dual, median(angles)))
+  if(*most < denoising::least_rough_angle)
     return false;
   const std::vector<Vec3> normals = vertex_normals(mesh, faces.areas, faces.normals, parallel);
   const std::array<double, 5> c = correlation_by_distance(mesh, rings, fine_heights(rings, points, normals, parallel));
   const bool is_wave = (std::min)(c[3], c[4]) < denoising::least_correlation_of_noise;
-  return c[1] < denoising::most_correlation_of_noise && !is_wave
+  const bool has_planes = is_faceted(mesh, faces, dual, median(std::move(angles)));
+  return c[1] < (has_planes ? denoising::most_correlation_of_steps : denoising::most_correlation_of_noise) && !is_wave
       && correlated_excess(c) > denoising::least_correlated_excess + 1 / std::sqrt(double(points.size()));
 }
 

@@ -27,6 +27,9 @@ namespace denoising {
 constexpr int most_passes = 20, border_passes = 5;
 constexpr int normal_updates = 2, position_updates = 3;
 
+// A surface that is smooth is done after so many passes, or one more: 6 and 8 give Fertility 4.68, 4.55 and Genus3 2.99, 2.60.
+CGAL_GDP_CONSTANT int smooth_passes = 8;
+
 // How strongly the input is kept: 0.05, 0.03, 0.02 give Star 1.46, 1.26, 1.20 and Fandisk 2.42, 2.64, 2.94.
 CGAL_GDP_CONSTANT double value_weight = 0.045;
 
@@ -39,7 +42,8 @@ CGAL_GDP_CONSTANT double similarity = 2.8, similarity_decay = 0.84, similarity_m
 // bound. 0.45, 0.6, 0.8 give Genus3 3.81, 2.95, 2.46, but Twelve 2.9, 2.5, 6.7.
 CGAL_GDP_CONSTANT double smoothing = 0.6, smoothing_growth = 1.05, smoothing_max = 3;
 
-// The correlation between neighboring vertices of what was taken away, beyond which it is detail: 0.07 ends Nicolo after 5 passes, 0.1 after 6.
+// The correlation between neighboring vertices of what was taken away, beyond which it is detail: before any was given back, 0.07 ended Nicolo after
+// 5 passes, 0.1 after 6.
 CGAL_GDP_CONSTANT double residual_correlation = 0.1;
 
 // At the border: the factor of the value weight, at least, and that of the smoothing of normals from pass to pass. From open waves and wedges.
@@ -64,9 +68,10 @@ constexpr int outlier_steps = 10, outlier_rounds = 3;
 // Correlated noise: what the smoothing (I + 4 D^-1 L)^-1 takes away has this much more correlation along an edge than shape has, where
 // a fifth of the edges is bent by this angle. White and impulsive noise: -0.13 to 0.04; clean scans: -0.18 to 0.02; Pyramid 0.14, a label map of
 // a sphere 0.32. Clean parts reach 0.2 by their creases, but are flat elsewhere: four fifths of their edges are bent by less than 0.12.
-// Refined facets, which are told by their planes, and short waves have such an excess too: waves of 13 and 9 edges a correlation of 0.82 and
-// 0.61 along an edge and of -0.12 (-0.09 under white noise) and -0.22 at four and three edges; Pyramid and the label map have 0.43 and 0.51 and nothing below 0.
-CGAL_GDP_CONSTANT double most_correlation_of_noise = 0.8, least_correlation_of_noise = -0.05;
+// Refined facets have such an excess too, and a correlation of 0.7 along an edge; like those of a label map, which has 0.51, their vertices lie in
+// planes. So have short waves of 13 and 9 edges, 0.82 and 0.61 along an edge and -0.12 (-0.09 under white noise) and -0.22 at four and
+// three; Pyramid has 0.43, and neither it nor the label map anything below 0.
+CGAL_GDP_CONSTANT double most_correlation_of_noise = 0.8, most_correlation_of_steps = 0.65, least_correlation_of_noise = -0.05;
 CGAL_GDP_CONSTANT double fine_smoothing = 4, least_rough_angle = 0.12, least_correlated_excess = 0.06;
 constexpr int correlation_sample = 3000;
 
@@ -80,6 +85,13 @@ CGAL_GDP_CONSTANT double rest_scale = 1.4;
 
 // Components of fewer vertices tell too little of their noise.
 constexpr int least_component = 200;
+
+// Detail that is given back: from this pass on; the steps of the smoothing of what was taken away, and of the window of its mean square; the
+// share of its variance that noise keeps after five steps, 0.055 where all vertices have six neighbors, and more for caution; the bound of impulses in
+// standard deviations. Nothing given back, once at the end, and after every pass: Twelve 2.47, 2.53, 2.27 and Fertility 4.83, 4.68, 4.68; checked:
+// Fandisk 2.49, 2.49, 2.36 and Carter 6.58, 6.18, 6.15. Shares of 0.04 and 0.055 give Fertility 4.53, 4.55 and Genus3 2.63, 2.60.
+CGAL_GDP_CONSTANT double detail_threshold = 0.065, detail_clip = 2;
+CGAL_GDP_CONSTANT int first_detail_pass = 4, detail_steps = 5, detail_window = 16;
 
 #undef CGAL_GDP_CONSTANT
 
