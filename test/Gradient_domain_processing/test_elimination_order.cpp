@@ -10,6 +10,7 @@
 #include "test_utils.h"
 
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/ordering/elimination_order.h>
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/ordering/nested_dissection_separator.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
