@@ -212,11 +212,11 @@ void benchmark_reuse(const Mesh& mesh, int repetitions)
       auto solver = GDP::make_gradient_domain_solver(copy);
       require(solver.filter(copy.points(), result));
       times["new_scale"].push_back(seconds([&] {
-        solver.set_gradient_scale(2);
+        require(solver.set_gradient_scale(2));
         require(solver.filter(copy.points(), result));
       }));
       times["new_weight"].push_back(seconds([&] {
-        solver.set_gradient_weight(1e-3);
+        require(solver.set_gradient_weight(1e-3));
         require(solver.filter(copy.points(), result));
       }));
     }));

@@ -17,10 +17,14 @@
 #include "gradient_domain_filter/signal.h"
 
 #include <exception>
+#include <functional>
 #include <iostream>
+#include <locale>
 #include <memory>
 #include <new>
+#include <sstream>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -66,11 +70,11 @@ std::string why_unchanged(const Options& o, const Report& report)
 {
   if(!report.facts.why_unchanged.empty())
     return report.facts.why_unchanged;
-  if(o.operation != Operation::DENOISE && o.gradient_weight == 0 && o.gradient_weight_property.empty())
+  if(o.is_of_paper() && o.gradient_weight == 0 && o.gradient_weight_property.empty() && o.hessian_weight == 0)
     return "the gradient weight is 0";
   if(o.operation == Operation::FILTER && o.signal == Signal_kind::NORMAL_TO_POSITION)
     return "the normals are those that the surface has; --gradient-weight filters them first";
-  if(o.operation == Operation::FILTER && o.gradient_scale == 1 && o.gradient_scale_property.empty())
+  if(o.operation == Operation::FILTER && o.gradient_scale == 1 && o.gradient_scale_property.empty() && o.hessian_weight == 0)
     return "the gradient scale is 1";
   if(o.max_displacement && *o.max_displacement == 0)
     return "the largest displacement is 0";
@@ -88,7 +92,7 @@ void filter(const Options& options, const Output_form& form, Mesh_file& file, St
   if(code != GDP::ok)
     throw Failure(options.input_name(), (clock.invalid().empty() ? "" : clock.invalid() + ": ") + GDP::get_error_message(code));
   report.measure(before, signal_values(options, file));
-  if(report.changed_values == 0 && options.signal != Signal_kind::CURVATURE)
+  if(report.changed_values == 0 && !options.only_adds())
     report.why_unchanged = why_unchanged(options, report);
   if(options.moves_vertices() && !options.keeps_normals)
     report.updated_normals = update_normals(points, file);
@@ -104,6 +108,30 @@ std::string joined(const std::vector<std::string>& words)
   return text;
 }
 
+// What nobody should have to find out for himself. Remarks about a surface that has not changed are of no use, and --verbose
+// has them in its summary.
+void say_all(const Options& options, const Report& report, Stage_clock& clock)
+{
+  if(!report.why_unchanged.empty())
+    say(clock, options.output_name() + ": nothing has changed: " + report.why_unchanged);
+  else if(!options.is_verbose)
+    for(const std::string& remark : report.remarks(options))
+      say(clock, options.input_name() + ": " + remark);
+  if(!report.not_kept.empty())
+    say(clock, options.output_name() + ": not kept: " + joined(report.not_kept));
+}
+
+std::string eigenvalue_table(const std::vector<double>& eigenvalues)
+{
+  std::ostringstream table;
+  table.imbue(std::locale::classic());
+  table.precision(17);
+  table << "index,eigenvalue\n";
+  for(std::size_t i = 0; i < eigenvalues.size(); ++i)
+    table << i << "," << eigenvalues[i] << "\n";
+  return table.str();
+}
+
 void run(const Options& options)
 {
 #ifdef CGAL_LINKED_WITH_TBB
@@ -116,6 +144,9 @@ void run(const Options& options)
   std::unique_ptr<Output_file> report_file;
   if(!options.report.empty())
     report_file = std::make_unique<Output_file>(options.report);
+  std::unique_ptr<Output_file> eigenvalue_file;
+  if(!options.eigenvalues.empty())
+    eigenvalue_file = std::make_unique<Output_file>(options.eigenvalues);
 
   Mesh_file file;
   Report report;
@@ -126,24 +157,29 @@ void run(const Options& options)
     form.format = options.output_format.value_or(file.format);
     check_output_form(options, form);
     check_form(file, form, options.output_name());
-    if(options.is_verbose || report_file)
+    if(!options.is_quiet || report_file)
       report.survey = survey(file.points, file.polygons);
   }
   filter(options, form, file, clock, report);
   {
     Timed_stage stage(clock, "write");
+    const std::size_t size = file.text.size(), hash = std::hash<std::string_view>()(file.text);
     std::string contents = mesh_file_contents(file, form);
+    if(report.why_unchanged.empty() && contents.size() == size && std::hash<std::string_view>()(contents) == hash)
+      report.why_unchanged = "all changes are smaller than what the numbers of the file can hold";
     output.write(is_compressed_name(options.output) ? packed(contents) : std::move(contents));
   }
   if(report_file)
     report_file->write(report.json(options, clock));
+  if(eigenvalue_file)
+    eigenvalue_file->write(eigenvalue_table(report.facts.eigenvalues));
   output.commit();
+  if(eigenvalue_file)
+    eigenvalue_file->commit();
   if(report_file)
     report_file->commit();
-  if(!report.why_unchanged.empty())
-    say(clock, options.output_name() + ": nothing has changed: " + report.why_unchanged);
-  if(!report.not_kept.empty())
-    say(clock, options.output_name() + ": not kept: " + joined(report.not_kept));
+  if(!options.is_quiet)
+    say_all(options, report, clock);
   clock.clear();
   if(options.is_verbose)
     (options.output == "-" || options.report == "-" ? std::cerr : std::cout) << report.summary(options, clock) << std::flush;

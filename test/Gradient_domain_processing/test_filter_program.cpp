@@ -261,7 +261,14 @@ void test_bad_files(const Mesh& mesh)
   fails("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "does not exist");
   fails("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "does not exist");
   fails("bad.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "no faces");
-  fails("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n", "face 0");
+  fails("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n", "face 0 has 2 corners");
+  fails("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1\n", "face 1 has 1 corner\n");
+  write(folder / "quads.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n");
+  check_copies("quads.stl copy.stl");
+  GDP_CHECK(contents(folder / "copy.stl") == contents(folder / "quads.stl"));
+  check_fails("quads.stl out.stl --binary", 1, "face 0 has 4 corners");
+  fs::remove(folder / "quads.stl");
+  fs::remove(folder / "copy.stl");
   write(folder / "quad.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");
   check_fails("quad.off out.stl", 1, "face 0 has 4 corners");
   check_fails("mesh.off out.stl --binary --precision double", 1, "single precision");
@@ -299,7 +306,7 @@ void test_bad_files(const Mesh& mesh)
   {
     write(folder / "cut.obj", obj.substr(0, size));
     const Outcome outcome = run("cut.obj cut.ply");
-    GDP_CHECK(outcome.code == 0 ? outcome.err.empty() : outcome.code == 1 && is_one_line(outcome.err));
+    GDP_CHECK(outcome.code == 0 ? outcome.err.find("cut.obj: face") == std::string::npos : outcome.code == 1 && is_one_line(outcome.err));
     fs::remove(folder / "cut.obj");
     fs::remove(folder / "cut.ply");
   }
@@ -536,19 +543,87 @@ void test_other_operations(const Mesh& mesh)
     fs::remove(folder / name);
 }
 
+// A plate with a bump in the middle, which is the region.
+std::string plate_with_bump()
+{
+  std::string text = "ply\nformat ascii 1.0\nelement vertex 81\nproperty double x\nproperty double y\nproperty double z\nproperty int r\n"
+                     "element face 64\nproperty list uchar int vertex_indices\nend_header\n";
+  for(int i = 0; i < 9; ++i)
+    for(int j = 0; j < 9; ++j)
+    {
+      const bool is_inside = i > 2 && i < 6 && j > 2 && j < 6;
+      text += std::to_string(i) + " " + std::to_string(j) + (is_inside ? " 2 1\n" : " 0 0\n");
+    }
+  for(int i = 0; i < 8; ++i)
+    for(int j = 0; j < 8; ++j)
+      text += "4 " + std::to_string(9 * i + j) + " " + std::to_string(9 * i + 9 + j) + " " + std::to_string(9 * i + 10 + j) + " "
+              + std::to_string(9 * i + 1 + j) + "\n";
+  return text;
+}
+
+// Fair patches, bands of waves, harmonics, second derivatives.
+void test_beyond_the_paper(const Mesh& mesh)
+{
+  write(folder / "plate.ply", plate_with_bump());
+  check_succeeds("plate.ply out.ply --operation fair --region-vertices r");
+  const Mesh plate = read_ply("plate.ply"), fair = read_ply("out.ply");
+  for(auto v : plate.vertices())
+    if(plate.point(v).z() == 0)
+      GDP_CHECK(fair.point(v) == plate.point(v));
+    else
+      GDP_CHECK_NEAR(fair.point(v).z(), 0, 1e-6);
+  check_fails("plate.ply out2.ply --operation fair", 2, "--region-vertices");
+  check_fails("plate.ply out2.ply --operation fair --region-vertices nothing", 1, "nothing");
+  check_fails("plate.ply out2.ply --operation fair --region-vertices r --gradient-weight 1", 2, "gradient-weight");
+
+  // all waves are in one of two bands, or in both
+  check_succeeds("mesh.off low.ply --operation low-pass --wavelengths 0.5");
+  check_succeeds("mesh.off high.ply --operation high-pass --wavelengths 0.5 --order 4");
+  const Mesh low = read_ply("low.ply"), high = read_ply("high.ply");
+  double most = 0;
+  for(auto v : mesh.vertices())
+    most = (std::max)(most, std::sqrt(((low.point(v) - CGAL::ORIGIN) + (high.point(v) - CGAL::ORIGIN) - (mesh.point(v) - CGAL::ORIGIN)).squared_length()));
+  GDP_CHECK_NEAR(most, 0, 1e-6);
+  GDP_CHECK(largest_difference(low, mesh) > 1e-9 && largest_difference(high, mesh) > 1e-2);
+  check_succeeds("mesh.off out.ply --operation band-pass --wavelengths 0.5,2 --metric edge-aware");
+  check_succeeds("mesh.off out.ply --operation band-stop --wavelengths 2,0.5");
+  check_fails("mesh.off out2.ply --operation band-pass --wavelengths 0.5", 2, "two numbers");
+  check_fails("mesh.off out2.ply --operation low-pass --wavelengths 0.5,1", 2, "one number");
+  check_fails("mesh.off out2.ply --operation low-pass", 2, "--wavelengths");
+  for(const char* wrong : {"0", "-1", "x", "1,", "1,2,3", "1;2", "inf"})
+    check_fails("mesh.off out2.ply --operation low-pass --wavelengths '" + std::string(wrong) + "'", 2, "--wavelengths");
+  check_fails("mesh.off out2.ply --wavelengths 1", 2, "wavelengths");
+
+  check_succeeds("mesh.off out.ply --operation spectrum --count 5 --eigenvalues e.csv");
+  const std::string table = contents(folder / "e.csv");
+  GDP_CHECK(table.compare(0, 19, "index,eigenvalue\n0,") == 0 && std::count(table.begin(), table.end(), '\n') == 6);
+  GDP_CHECK_NEAR(std::stod(table.substr(19)), 0, 1e-8);
+  GDP_CHECK(contents(folder / "out.ply").find("property double harmonic_4\n") != std::string::npos);
+  GDP_CHECK(largest_difference(read_ply("out.ply"), mesh) == 0);
+  check_fails("mesh.off out.off --operation spectrum", 2, "PLY");
+  check_fails("mesh.off out2.ply --operation spectrum --count 100000", 1, "mesh.off");
+
+  check_succeeds("mesh.off out.ply --gradient-weight 0 --hessian-weight 1e-6");
+  GDP_CHECK(largest_difference(read_ply("out.ply"), mesh) > 1e-9);
+  check_fails("mesh.off out2.ply --hessian-weight -1", 2, "hessian-weight");
+  for(const char* name : {"plate.ply", "out.ply", "low.ply", "high.ply", "e.csv"})
+    fs::remove(folder / name);
+}
+
 // Any polygons, connected in any way; order and number of all stay.
 void test_any_surface()
 {
-  const struct { const char* name; const char* first_face; const char* text; } surfaces[] = {
-    {"fan.off", "\n3 0 1 2\n", "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 2\n3 0 1 2\n3 1 0 3\n3 0 1 4\n"},
-    {"umbrellas.off", "\n3 0 1 2\n", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 2\n3 0 1 2\n3 0 3 4\n"},
-    {"turned.off", "\n3 0 1 2\n", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n"},
-    {"polygons.off", "\n4 0 1 2 3\n", "OFF\n7 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0.5\n2 0 1\n2 1 1\n3 0.5 0\n4 0 1 2 3\n5 1 4 6 5 2\n3 3 2 5\n"}};
+  const struct { const char* name; const char* said; const char* first_face; const char* text; } surfaces[] = {
+    {"fan.off", "fan.off: 1 edge with more than two faces, which stay together", "\n3 0 1 2\n", "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 2\n3 0 1 2\n3 1 0 3\n3 0 1 4\n"},
+    {"umbrellas.off", nullptr, "\n3 0 1 2\n", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 2\n3 0 1 2\n3 0 3 4\n"},
+    {"turned.off", "turned.off: 1 edge between faces of which one is turned over", "\n3 0 1 2\n", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n"},
+    {"polygons.off", nullptr, "\n4 0 1 2 3\n", "OFF\n7 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0.5\n2 0 1\n2 1 1\n3 0.5 0\n4 0 1 2 3\n5 1 4 6 5 2\n3 3 2 5\n"}};
   for(const auto& surface : surfaces)
   {
     const std::string name = surface.name, text = surface.text;
     write(folder / name, text);
-    check_succeeds(name + " out.off");
+    check_succeeds(name + " out.off", surface.said ? std::vector<std::string>{surface.said} : std::vector<std::string>());
+    check_succeeds(name + " out.off --quiet");
     const std::string out = contents(folder / "out.off");
     GDP_CHECK(out != text);
     GDP_CHECK(std::count(out.begin(), out.end(), '\n') == std::count(text.begin(), text.end(), '\n'));
@@ -564,17 +639,58 @@ void test_any_surface()
     const auto point = [&](unsigned int v) { return mesh.point(Mesh::Vertex_index(v)); };
     return point(1) == point(3) && point(2) == point(4);
   };
-  check_succeeds("seam.off out.off --gradient-weight 0.1");
+  check_succeeds("seam.off out.off --gradient-weight 0.1", {"seam.off: 2 vertices at seams were welded to others"});
   GDP_CHECK(is_closed());
-  check_succeeds("seam.off out.off --gradient-weight 0.1 --no-weld");
+  check_succeeds("seam.off out.off --gradient-weight 0.1 --no-weld", {"4 border vertices at the same place as others are not one"});
   GDP_CHECK(!is_closed());
 
   // a vertex that no face uses may be anything
   write(folder / "unused.off", "OFF\n5 2 0\nnan 0 inf\n0 0 0\n1 0 0\n1 1 1\n0 1 0\n3 1 2 3\n3 1 3 4\n");
-  check_succeeds("unused.off out.off");
+  check_succeeds("unused.off out.off", {"unused.off: 1 vertex without a face stays as it is"});
   GDP_CHECK(contents(folder / "out.off").find("OFF\n5 2 0\nnan 0 inf\n") == 0);
   for(const char* name : {"seam.off", "unused.off", "out.off"})
     fs::remove(folder / name);
+}
+
+// Three sheets that meet in a line.
+void test_lines()
+{
+  std::string text = "OFF\n20 24 0\n", faces;
+  const auto row = [&](double x, double y, double shift) {
+    for(int i = 0; i < 5; ++i)
+      text += std::to_string(x) + " " + std::to_string(y + shift * (i % 2)) + " " + std::to_string(i) + "\n";
+  };
+  row(0, 0, 0.3);
+  row(1, 0.2, 0);
+  row(-1, 0.5, 0);
+  row(-1, -1, 0);
+  for(int sheet = 1; sheet < 4; ++sheet)
+    for(int i = 0; i < 4; ++i)
+      for(const auto& t : {std::vector<int>{i, i + 1, 5 * sheet + i}, std::vector<int>{i + 1, 5 * sheet + i + 1, 5 * sheet + i}})
+        faces += "3 " + std::to_string(t[0]) + " " + std::to_string(t[1]) + " " + std::to_string(t[2]) + "\n";
+  write(folder / "lines.off", text + faces);
+  const auto filtered = [&](const std::string& options) {
+    check_succeeds("lines.off out.off --gradient-weight 0.1 " + options, {"4 edges with more than two faces"});
+    std::vector<std::string> lines;
+    std::istringstream in(contents(folder / "out.off"));
+    for(std::string line; std::getline(in, line);)
+      lines.push_back(line);
+    return lines;
+  };
+  const auto free = filtered(""), fixed = filtered("--non-manifold fixed"), along = filtered("--non-manifold along-lines");
+  std::vector<std::string> before;
+  std::istringstream in(text);
+  for(std::string line; std::getline(in, line);)
+    before.push_back(line);
+  for(std::size_t i = 2; i < 7; ++i)
+    GDP_CHECK(fixed[i] == before[i] && along[i] != before[i] && free[i] != before[i] && along[i] != free[i]);
+  for(std::size_t i = 7; i < 22; ++i)
+    GDP_CHECK(fixed[i] != before[i] && along[i] != before[i] && fixed[i] != along[i]);
+  for(std::size_t i = 2; i < 7; ++i) // a curve in a plane stays in it
+    GDP_CHECK(along[i].compare(0, 2, "0 ") == 0);
+  check_fails("lines.off new.off --operation denoise --non-manifold along-lines", 2, "contradicts");
+  fs::remove(folder / "lines.off");
+  fs::remove(folder / "out.off");
 }
 
 // Just enough of JSON to know that a text is it.
@@ -859,6 +975,9 @@ void test_format_changes()
   check_copies("full.stl out.off", {"not kept: name of the solid"});
   GDP_CHECK(contents(folder / "out.off") == "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 1\n3 0 1 2\n3 0 2 3\n");
   check_copies("binary.stl out.stl --ascii", {"not kept: header, attribute bytes"});
+  write(folder / "alpha.off", "COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 0 1 0 7\n0 1 0 0 0 1 9\n3 0 1 2\n");
+  check_copies("alpha.off out.obj", {"not kept: alpha of vertices"});
+  fs::remove(folder / "alpha.off");
   write(folder / "lonely.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n9 9 9\n3 0 1 2\n");
   check_copies("lonely.off out.stl", {"not kept: 1 vertex without a face"});
   write(folder / "huge.off", "OFF\n3 1 0\n0 0 0\n1e40 0 0\n0 1e40 0\n3 0 1 2\n");
@@ -997,7 +1116,9 @@ void test_property_signals()
   const std::size_t others = number_of_other_numbers(text, contents(folder / "out.ply"));
   GDP_CHECK(others >= 2 && others <= 8); // integers stay integers
   check_fails("square.ply new.ply --signal part,heat", 1, "no property 'part,heat'; vertices have: heat; faces have: part");
-  check_fails("square.ply new.ply --signal part --region heat", 1, "--region");
+  check_fails("square.ply new.ply --signal part --constrain heat", 1, "--constrain");
+  check_fails("square.ply new.ply --signal part --border fixed", 1, "--border");
+  check_succeeds("square.ply out.ply --signal part --region heat", {"nothing has changed: the region is empty"});
 
   std::vector<std::string> gap = heat;
   gap[4] = "nan";
@@ -1050,12 +1171,60 @@ void test_said()
   GDP_CHECK(report.find("\"why_unchanged\": \"the gradient weight is 0\"") != std::string::npos);
   GDP_CHECK(report.find("\"changed\": 0,") != std::string::npos);
 
+  // less than single precision holds
+  check_copies("mesh.off single.stl --binary");
+  check_succeeds("single.stl out.stl --gradient-weight 1e-13", {"nothing has changed: all changes are smaller than what the numbers of the file can hold"});
+  check_succeeds("single.stl out.stl --gradient-weight 1e-13 --quiet");
+  GDP_CHECK(contents(folder / "out.stl") == contents(folder / "single.stl"));
+  fs::remove(folder / "single.stl");
+  fs::remove(folder / "out.stl");
+
   // parts of different size, and a face alone
   write(folder / "parts.off", "OFF\n7 3 0\n0 0 0\n100 0 0\n0 100 0\n100 100 1\n0 0 50\n1 0 50\n0 1 50\n3 0 1 2\n3 1 3 2\n3 4 5 6\n");
+  check_succeeds("parts.off out.off", {"2 parts of very different size under one weight", "1 face that is connected to no other"});
+  check_succeeds("parts.off out.off --quiet");
   const Outcome parts = run("parts.off out.off --verbose");
+  GDP_CHECK(parts.err.empty()); // not twice
   GDP_CHECK(parts.out.find("2 parts of very different size under one weight: the smallest is 100 times smaller") != std::string::npos);
   GDP_CHECK(parts.out.find("1 face that is connected to no other") != std::string::npos);
-  for(const char* name : {"none.ply", "parts.off", "report.json", "out.off", "out.ply"})
+  // faces that are there twice or have no area
+  write(folder / "odd.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n1 1 0.5\n0 1 0\n3 0 1 2\n3 0 2 3\n3 2 0 1\n3 0 3 3\n");
+  check_succeeds("odd.off out.off", {"2 edges with more than two faces", "2 edges between faces of which one is turned over",
+                                     "1 face that is there already", "1 face without area"});
+  for(const char* name : {"none.ply", "parts.off", "odd.off", "report.json", "out.off", "out.ply"})
+    fs::remove(folder / name);
+}
+
+// A height that is missing lies between those around it.
+void test_missing_heights()
+{
+  std::string text = "ply\nformat ascii 1.0\nelement vertex 25\nproperty double x\nproperty double y\nproperty double z\nelement face 16\n"
+                     "property list uchar int vertex_indices\nend_header\n";
+  for(int i = 0; i < 25; ++i)
+    text += std::to_string(i % 5) + " " + std::to_string(i / 5) + " " + (i == 12 || i == 13 ? "nan" : std::to_string(i % 5)) + "\n";
+  for(int i = 0; i < 16; ++i)
+  {
+    const int v = i % 4 + 5 * (i / 4);
+    text += "4 " + std::to_string(v) + " " + std::to_string(v + 1) + " " + std::to_string(v + 6) + " " + std::to_string(v + 5) + "\n";
+  }
+  write(folder / "terrain.ply", text);
+  check_fails("terrain.ply new.ply --axes z", 1, "vertex 12: ");
+  check_fails("terrain.ply new.ply --missing-values", 2, "--axes with one axis");
+  check_fails("terrain.ply new.ply --axes xy --missing-values", 2, "--axes with one axis");
+  check_fails("terrain.ply new.ply --axes x --missing-values", 1, "vertex 12: ");
+  check_succeeds("terrain.ply out.ply --axes z --missing-values --gradient-weight 0", {"terrain.ply: 2 missing heights were filled in"});
+  std::istringstream in(contents(folder / "out.ply"));
+  std::string line;
+  for(int i = 0; i < 9; ++i)
+    std::getline(in, line);
+  for(int i = 0; i < 25; ++i)
+  {
+    double x = 0, y = 0, z = 0;
+    in >> x >> y >> z;
+    GDP_CHECK(x == i % 5 && y == i / 5);
+    GDP_CHECK_NEAR(z, i % 5, 1e-12); // a plane
+  }
+  for(const char* name : {"terrain.ply", "out.ply"})
     fs::remove(folder / name);
 }
 
@@ -1086,7 +1255,9 @@ int main(int argc, char* argv[])
     test_result(mesh);
     test_properties(mesh);
     test_other_operations(mesh);
+    test_beyond_the_paper(mesh);
     test_any_surface();
+    test_lines();
     test_lossless();
     test_format_changes();
     test_streams();
@@ -1095,6 +1266,7 @@ int main(int argc, char* argv[])
     test_property_signals();
     test_places();
     test_said();
+    test_missing_heights();
     test_denoise(mesh);
     test_report(mesh);
 

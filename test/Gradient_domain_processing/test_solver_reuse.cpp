@@ -164,7 +164,7 @@ void check_reuse()
   GDP_CHECK(solver.filter(x.numbers, x.out_numbers) == GDP::OK);
   GDP_CHECK(are(1, 4, 10, 14));
   fresh(GDP::parameters::gradient_weight(1e-2).gradient_scale(2.).value_weight(5.).face_metric_map(metrics));
-  solver.set_embedding_metric();
+  GDP_CHECK(solver.set_embedding_metric() == GDP::OK);
   GDP_CHECK(solver.filter(x.numbers, x.out_numbers) == GDP::OK);
   GDP_CHECK(are(1, 5, 11, 15));
   fresh(GDP::parameters::gradient_weight(1e-2).gradient_scale(2.).value_weight(5.));

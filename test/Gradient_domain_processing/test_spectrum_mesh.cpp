@@ -13,6 +13,7 @@
 #include <CGAL/Gradient_domain_processing/spectrum.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <iostream>
@@ -108,6 +109,85 @@ void test_constrained_bands()
     GDP_CHECK(in_region[v] != -7 && in_region[v] != rough[v]);
 }
 
+// Moved, turned and scaled, as a soup in another order, cut open and welded, or of quads, it is the same surface.
+void test_equivariance()
+{
+  Mesh mesh = mesh_of(grid(14, 14, [](double u, double v) { return Vec(u, 1.2 * v, 0.2 * u * v); }));
+  const Signal_map in = signal_of(mesh, "v:in", [](const Point& p) { return std::sin(9 * p.x()) + std::cos(11 * p.y() * p.x()); });
+  const Signal_map out = signal_of(mesh, "v:out", [](const Point&) { return 0; });
+  const double wavelength = 0.4;
+  GDP_CHECK(GDP::filter_spectrum(mesh, in, out, Filter::low_pass(wavelength)) == GDP::ok);
+
+  std::vector<std::size_t> order(mesh.number_of_vertices());
+  for(std::size_t i = 0; i < order.size(); ++i)
+    order[i] = (i * 101 + 7) % order.size();
+  std::vector<Point> points(order.size());
+  std::vector<double> values(order.size());
+  for(Vertex v : mesh.vertices())
+  {
+    const Point& p = mesh.point(v);
+    points[order[v]] = Point(8 * p.y() + 3, -8 * p.x() - 5, 8 * p.z());
+    values[order[v]] = in[v];
+  }
+  std::vector<std::array<std::size_t, 3> > triangles;
+  for(Face f : mesh.faces())
+  {
+    std::array<std::size_t, 3> t{};
+    std::size_t i = 0;
+    for(Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
+      t[i++] = order[v];
+    triangles.push_back(t);
+  }
+  const auto map = CGAL::make_property_map(values);
+  GDP_CHECK(GDP::filter_spectrum(points, triangles, map, map, Filter::low_pass(8 * wavelength)) == GDP::ok);
+  GDP_CHECK_NEAR(distance(mesh, out, [&](Vertex v) { return values[order[v]]; }), 0, 1e-9);
+
+  // every triangle for itself, with a signal that differs between them by a constant
+  std::vector<Point> apart;
+  std::vector<double> of_corners;
+  std::vector<std::array<std::size_t, 3> > loose;
+  for(Face f : mesh.faces())
+  {
+    loose.push_back({apart.size(), apart.size() + 1, apart.size() + 2});
+    for(Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
+    {
+      apart.push_back(mesh.point(v));
+      of_corners.push_back(in[v]);
+    }
+  }
+  const auto corners = CGAL::make_property_map(of_corners);
+  GDP_CHECK(GDP::filter_spectrum(apart, loose, corners, corners, Filter::low_pass(wavelength), GDP::parameters::weld_tolerance(0.)) == GDP::ok);
+  std::size_t corner = 0;
+  double most = 0;
+  for(Face f : mesh.faces())
+    for(Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
+      most = (std::max)(most, std::abs(of_corners[corner++] - out[v]));
+  GDP_CHECK_NEAR(most, 0, 1e-9);
+
+  // quads: what is constant stays, a wave at the cut-off is halved
+  std::vector<Point> grid_points;
+  std::vector<double> constant, wave;
+  std::vector<std::array<std::size_t, 4> > quads;
+  for(int i = 0; i <= 20; ++i)
+    for(int j = 0; j <= 20; ++j)
+    {
+      grid_points.emplace_back(i / 20., j / 20., 0);
+      constant.push_back(5);
+      wave.push_back(std::cos(2 * pi * i / 20.)); // of wavelength 1, and level at the border
+    }
+  for(std::size_t i = 0; i < 20; ++i)
+    for(std::size_t j = 0; j < 20; ++j)
+      quads.push_back({{21 * i + j, 21 * i + 21 + j, 21 * i + 22 + j, 21 * i + 1 + j}});
+  const auto of_constant = CGAL::make_property_map(constant), of_wave = CGAL::make_property_map(wave);
+  GDP_CHECK(GDP::filter_spectrum(grid_points, quads, of_constant, of_constant, Filter::low_pass(0.5)) == GDP::ok);
+  GDP_CHECK(GDP::filter_spectrum(grid_points, quads, of_wave, of_wave, Filter::low_pass(1)) == GDP::ok);
+  for(std::size_t i = 0; i < wave.size(); ++i)
+  {
+    GDP_CHECK_NEAR(constant[i], 5, 1e-7);
+    GDP_CHECK_NEAR(wave[i], 0.5 * std::cos(2 * pi * double(i / 21) / 20), 0.015);
+  }
+}
+
 void test_refusals()
 {
   Mesh mesh = mesh_of(grid(4, 4, [](double u, double v) { return Vec(u, v, 0); }));
@@ -150,6 +230,7 @@ int main()
   GDP_CHECK(GDP::spectrum(Mesh(), 1, values, harmonics) == GDP::error_empty_mesh && values == before);
   test_bands();
   test_constrained_bands();
+  test_equivariance();
   test_refusals();
   return GDP_TEST_RESULT();
 }

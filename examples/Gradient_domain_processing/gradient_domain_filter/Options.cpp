@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cstring>
 #include <iostream>
+#include <locale>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -102,7 +103,9 @@ void read_choices(const po::variables_map& given, Options& o)
 {
   typedef GDP::Curvature_metric_kind Metric;
   o.operation = choice<Operation>(given, "operation", {{"filter", Operation::FILTER}, {"enhance-details", Operation::ENHANCE_DETAILS},
-                                                       {"denoise", Operation::DENOISE}});
+                                                       {"denoise", Operation::DENOISE}, {"fair", Operation::FAIR}, {"low-pass", Operation::LOW_PASS},
+                                                       {"high-pass", Operation::HIGH_PASS}, {"band-pass", Operation::BAND_PASS},
+                                                       {"band-stop", Operation::BAND_STOP}, {"spectrum", Operation::SPECTRUM}});
   o.metric = choice<Metric>(given, "metric", {{"embedding", Metric::EMBEDDING}, {"edge-aware", Metric::EDGE_AWARE},
                                               {"anisotropic", Metric::ANISOTROPIC}, {"preserve-convex", Metric::PRESERVE_CONVEX},
                                               {"preserve-concave", Metric::PRESERVE_CONCAVE}});
@@ -110,6 +113,8 @@ void read_choices(const po::variables_map& given, Options& o)
                                                                       {"normals", GDP::Curvature_estimator::NORMALS}});
   o.border = choice<GDP::Border_condition>(given, "border", {{"free", GDP::Border_condition::FREE}, {"fixed", GDP::Border_condition::FIXED},
                                                              {"along-border", GDP::Border_condition::ALONG_BORDER}});
+  o.non_manifold = choice<GDP::Border_condition>(given, "non-manifold", {{"free", GDP::Border_condition::FREE}, {"fixed", GDP::Border_condition::FIXED},
+                                                                         {"along-lines", GDP::Border_condition::ALONG_BORDER}});
   o.solver = choice<Solver_kind>(given, "solver", {{"auto", Solver_kind::AUTO}, {"eigen", Solver_kind::EIGEN},
                                                    {"cholmod", Solver_kind::CHOLMOD}, {"cg", Solver_kind::CG}});
   o.normal_fit = choice<GDP::Normal_fit_kind>(given, "normal-fit", {{"faces", GDP::Normal_fit_kind::FACES}, {"edges", GDP::Normal_fit_kind::EDGES}});
@@ -150,6 +155,23 @@ void read_signal(const po::variables_map& given, Options& o)
   }
 }
 
+// One or two numbers with a comma between them.
+void read_wavelengths(const std::string& text, Options& o)
+{
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  double x = 0;
+  char comma = ',';
+  while(comma == ',' && stream >> x)
+  {
+    o.wavelengths.push_back(x);
+    comma = 0;
+    stream >> comma;
+  }
+  if(!stream.eof() || comma == ',' || o.wavelengths.empty() || o.wavelengths.size() > 2)
+    throw Usage_error("--wavelengths is one number, or two with a comma between them, not '" + text + "'");
+}
+
 void read_rest(const po::variables_map& given, Options& o)
 {
   const auto number = [&](const char* option) {
@@ -175,6 +197,8 @@ void read_rest(const po::variables_map& given, Options& o)
        || std::set<char>(axes.begin(), axes.end()).size() != axes.size())
       throw Usage_error("--axes is some of x, y and z, not '" + axes + "'");
   }
+  if(given.count("wavelengths"))
+    read_wavelengths(given["wavelengths"].as<std::string>(), o);
   // normals are fitted as they are, unless their filter is described
   if(o.signal == Signal_kind::NORMAL_TO_POSITION && !is_given(given, "gradient-scale") && !is_given(given, "gradient-weight")
      && !given.count("gradient-weight-property"))

@@ -11,12 +11,13 @@
 
 #include <CGAL/Gradient_domain_processing/enum.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
-enum class Operation { FILTER, ENHANCE_DETAILS, DENOISE };
+enum class Operation { FILTER, ENHANCE_DETAILS, DENOISE, FAIR, LOW_PASS, HIGH_PASS, BAND_PASS, BAND_STOP, SPECTRUM };
 enum class Signal_kind { POSITION, NORMAL, COLOR, NORMAL_TO_POSITION, CURVATURE, PROPERTY };
 enum class Solver_kind { AUTO, EIGEN, CHOLMOD, CG };
 
@@ -31,7 +32,7 @@ struct Options
   Operation operation = Operation::FILTER;
   Signal_kind signal = Signal_kind::POSITION;
   std::vector<std::string> signal_properties;
-  double value_weight = 1, gradient_weight = 1e-4, gradient_scale = 0;
+  double value_weight = 1, gradient_weight = 1e-4, gradient_scale = 0, hessian_weight = 0;
   std::string value_weight_property, gradient_weight_property, gradient_scale_property;
   CGAL::Gradient_domain_processing::Curvature_metric_kind metric =
     CGAL::Gradient_domain_processing::Curvature_metric_kind::EMBEDDING;
@@ -44,15 +45,35 @@ struct Options
   std::optional<int> passes;
   std::optional<double> noise_level, noise_scale, denoising_value_weight, max_displacement;
   CGAL::Gradient_domain_processing::Border_condition border = CGAL::Gradient_domain_processing::Border_condition::FREE;
+  CGAL::Gradient_domain_processing::Border_condition non_manifold = CGAL::Gradient_domain_processing::Border_condition::FREE;
   bool restores_volume = false, area_normalization = true, has_missing_values = false, keeps_normals = false;
   std::array<bool, 3> moves_along = {{true, true, true}};
   std::optional<double> weld_tolerance = 0.; // none: seams stay open
-  std::string constrained_property, region_property;
+  std::string constrained_property, region_property, region_vertices_property;
+  std::vector<double> wavelengths; // one or two
+  int filter_order = 4, number_of_harmonics = 10;
+  std::string eigenvalues;
 
   Solver_kind solver = Solver_kind::AUTO;
   bool is_verbose = false, is_quiet = false;
 
-  bool moves_vertices() const { return signal == Signal_kind::POSITION || signal == Signal_kind::NORMAL_TO_POSITION; }
+  bool is_band() const
+  {
+    return operation == Operation::LOW_PASS || operation == Operation::HIGH_PASS || operation == Operation::BAND_PASS
+        || operation == Operation::BAND_STOP;
+  }
+  bool moves_vertices() const
+  {
+    return operation != Operation::SPECTRUM && (signal == Signal_kind::POSITION || signal == Signal_kind::NORMAL_TO_POSITION);
+  }
+  bool is_of_paper() const { return operation == Operation::FILTER || operation == Operation::ENHANCE_DETAILS; }
+  // Nothing is filtered: something is added to the file.
+  bool only_adds() const { return operation == Operation::SPECTRUM || signal == Signal_kind::CURVATURE; }
+  // Missing values are coordinates along the one axis along which vertices move.
+  bool fills_heights() const
+  {
+    return has_missing_values && signal == Signal_kind::POSITION && std::count(moves_along.begin(), moves_along.end(), true) == 1;
+  }
   bool has_metric() const { return metric != CGAL::Gradient_domain_processing::Curvature_metric_kind::EMBEDDING; }
 
   // For messages.

@@ -109,9 +109,17 @@ std::vector<std::pair<std::string, std::string> > used_weights(const Options& o)
     add("value_weight", o.denoising_value_weight.value_or(CGAL::Gradient_domain_processing::internal::denoising::value_weight));
     return used;
   }
+  for(std::size_t i = 0; i < o.wavelengths.size(); ++i)
+    add(i == 0 ? "wavelength" : "other_wavelength", o.wavelengths[i]);
+  if(o.is_band())
+    add("order", o.filter_order);
+  if(!o.is_of_paper())
+    return used;
   add("value_weight", o.value_weight, o.value_weight_property);
   add("gradient_weight", o.gradient_weight, o.gradient_weight_property);
   add("gradient_scale", o.gradient_scale, o.gradient_scale_property);
+  if(o.hessian_weight > 0)
+    add("hessian_weight", o.hessian_weight);
   if(o.has_metric())
     add("curvature_weight", o.curvature_weight);
   if(o.operation == Operation::ENHANCE_DETAILS)
@@ -134,15 +142,6 @@ std::string json_strings(const std::vector<std::string>& strings)
   for(const std::string& s : strings)
     text += (text.empty() ? "" : ", ") + json_string(s);
   return "[" + text + "]";
-}
-
-std::vector<std::string> all_remarks(const Report& report, const Options& o)
-{
-  std::vector<std::string> remarks = report.notices;
-  if(report.survey)
-    for(const std::string& remark : report.survey->remarks(o.weld_tolerance.has_value()))
-      remarks.push_back(remark);
-  return remarks;
 }
 
 void add_survey(const Survey& survey, Json_object& all)
@@ -178,6 +177,17 @@ void Report::measure(const std::vector<std::vector<double> >& before, const std:
   }
 }
 
+std::vector<std::string> Report::remarks(const Options& o) const
+{
+  std::vector<std::string> remarks = notices;
+  if(!survey)
+    return remarks;
+  const bool has_one_weight = o.is_of_paper() && o.signal != Signal_kind::CURVATURE && o.gradient_weight_property.empty();
+  for(const std::string& remark : survey->remarks(o.weld_tolerance.has_value(), has_one_weight))
+    remarks.push_back(remark);
+  return remarks;
+}
+
 std::string Report::json(const Options& o, const Stage_clock& clock) const
 {
   Json_object seconds("  "), all("");
@@ -188,7 +198,7 @@ std::string Report::json(const Options& o, const Stage_clock& clock) const
     .add("output", json_string(o.output))
     .add("operation", json_string(o.operation_name))
     .add("signal", json_string(o.signal_name));
-  if(o.operation != Operation::DENOISE)
+  if(o.is_of_paper() || o.is_band())
     all.add("metric", json_string(o.metric_name));
   for(const auto& weight : used_weights(o))
     all.add(weight.first, weight.second);
@@ -205,7 +215,7 @@ std::string Report::json(const Options& o, const Stage_clock& clock) const
     .add("changed", std::to_string(changed_values))
     .add("why_unchanged", why_unchanged.empty() ? "null" : json_string(why_unchanged))
     .add("updated_normals", std::to_string(updated_normals))
-    .add("remarks", json_strings(all_remarks(*this, o)))
+    .add("remarks", json_strings(remarks(o)))
     .add("not_kept", json_strings(not_kept))
     .add("seconds", seconds.text())
     .add("peak_memory_bytes", known(peak_memory()));
@@ -220,10 +230,10 @@ std::string Report::summary(const Options& o, const Stage_clock& clock) const
             + (survey->border_edges == 0 ? std::string("closed") : std::to_string(survey->border_edges) + " border edges") + ", area "
             + number(survey->area, "%.6g");
   text += "\n";
-  for(const std::string& remark : all_remarks(*this, o))
+  for(const std::string& remark : remarks(o))
     text += "  " + remark + "\n";
-  if(o.signal == Signal_kind::CURVATURE)
-    text += "curvature estimated\n";
+  if(o.only_adds())
+    text += o.operation == Operation::SPECTRUM ? std::to_string(facts.eigenvalues.size()) + " harmonics found\n" : "curvature estimated\n";
   else
   {
     text += o.operation_name + " " + o.signal_name + ":";
@@ -240,7 +250,7 @@ std::string Report::summary(const Options& o, const Stage_clock& clock) const
       std::replace(name.begin(), name.end(), '_', ' ');
       text += " " + name + " " + number(fact.second, "%.4g") + ",";
     }
-    text += (o.operation == Operation::DENOISE ? "" : " metric " + o.metric_name + ",") + std::string(" solver ") + facts.solver + "\n";
+    text += (!o.is_of_paper() && !o.is_band() ? "" : " metric " + o.metric_name + ",") + std::string(" solver ") + facts.solver + "\n";
     text += o.moves_vertices() ? "vertices moved by " : "values changed by ";
     text += number(mean_displacement, "%.4g") + " on average, " + number(max_displacement, "%.4g") + " at most\n";
   }

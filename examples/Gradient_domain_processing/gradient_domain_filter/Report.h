@@ -30,6 +30,9 @@ struct Report
   // How far the signal moved, by its columns.
   void measure(const std::vector<std::vector<double> >& before, const std::vector<std::vector<double> >& after);
 
+  // What a stranger may trip over, a line each; the library's notices are among them.
+  std::vector<std::string> remarks(const Options& options) const;
+
   std::string json(const Options& options, const Stage_clock& clock) const;
   std::string summary(const Options& options, const Stage_clock& clock) const;
 };

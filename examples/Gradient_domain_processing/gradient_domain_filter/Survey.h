@@ -17,12 +17,15 @@ struct Survey
 {
   std::size_t vertices = 0, unused_vertices = 0, faces = 0, edges = 0, border_edges = 0;
   std::size_t crowded_edges = 0;     // with more than two faces
+  std::size_t flipped_edges = 0;     // with two faces of which one is turned over
+  std::size_t repeated_faces = 0;    // with the same vertices as one before
+  std::size_t flat_faces = 0;        // without area
   std::size_t components = 0, lone_faces = 0; // connected at vertices
   std::size_t seam_vertices = 0;     // at the border, at the same place as another one
   double area = 0, smallest_extent = 0, largest_extent = 0; // of components
 
   // What a stranger will trip over, a line each.
-  std::vector<std::string> remarks(bool seams_are_welded) const;
+  std::vector<std::string> remarks(bool seams_are_welded, bool has_one_weight) const;
 };
 
 Survey survey(const std::vector<Point>& points, const Polygons& polygons);

@@ -79,22 +79,56 @@ void check_exclusions(const po::variables_map& given)
   exclude(given, "non-shrinking", "gradient-scale-property");
 }
 
+bool is_of_filter_only(Signal_kind signal)
+{
+  return signal == Signal_kind::NORMAL_TO_POSITION || signal == Signal_kind::CURVATURE;
+}
+
+// The operations that are not of the paper have none of its weights.
+void check_beyond(const po::variables_map& given, const Options& o)
+{
+  const bool is_fair = o.operation == Operation::FAIR, is_spectrum = o.operation == Operation::SPECTRUM;
+  if(is_fair || is_spectrum || o.is_band())
+    forbid(given, {"value-weight", "gradient-weight", "gradient-scale", "hessian-weight", "value-weight-property", "gradient-weight-property",
+                   "gradient-scale-property", "non-shrinking", "iterations", "restore-volume", "missing-values", "solver"},
+           "--operation " + o.operation_name);
+  if(is_fair || is_spectrum)
+    forbid(given, {"region", "metric", "curvature-weight"}, "--operation " + o.operation_name);
+  if(is_spectrum)
+    forbid(given, {"border", "non-manifold", "weld-tolerance"}, "--operation spectrum");
+  if(o.is_band())
+    forbid(given, {"axes", "max-displacement"}, "--operation " + o.operation_name);
+  require(given, {"region-vertices"}, is_fair, "--operation fair");
+  require(given, {"wavelengths", "order"}, o.is_band(), "--operation low-pass, high-pass, band-pass or band-stop");
+  require(given, {"count", "eigenvalues"}, is_spectrum, "--operation spectrum");
+  if(is_fair && o.region_vertices_property.empty())
+    throw Usage_error("--operation fair needs --region-vertices");
+  const std::size_t needed = o.operation == Operation::LOW_PASS || o.operation == Operation::HIGH_PASS ? 1 : 2;
+  if(o.is_band() && o.wavelengths.size() != needed)
+    throw Usage_error("--operation " + o.operation_name + " needs --wavelengths with " + (needed == 1 ? "one number" : "two numbers"));
+  for(double x : o.wavelengths)
+    if(!(x > 0) || !std::isfinite(x))
+      throw Usage_error("--wavelengths are positive numbers");
+}
+
 void check_operation(const po::variables_map& given, const Options& o)
 {
-  if(o.operation != Operation::FILTER && o.signal != Signal_kind::POSITION)
+  if(o.operation != Operation::FILTER && o.signal != Signal_kind::POSITION && (!o.is_band() || is_of_filter_only(o.signal)))
     throw Usage_error("--operation " + o.operation_name + " contradicts --signal " + o.signal_name);
   if(o.signal == Signal_kind::CURVATURE)
   {
     forbid(given, {"value-weight", "gradient-weight", "gradient-scale", "metric", "curvature-weight", "iterations", "constrain", "region",
-                   "value-weight-property", "gradient-weight-property", "gradient-scale-property", "border", "non-shrinking"},
+                   "value-weight-property", "gradient-weight-property", "gradient-scale-property", "border", "non-manifold", "non-shrinking"},
            "--signal curvature, which filters nothing");
     if(o.curvature == GDP::Curvature_estimator::NORMALS)
       throw Usage_error("--curvature normals contradicts --signal curvature, which knows jets only");
   }
   if(o.operation == Operation::DENOISE)
     forbid(given, {"gradient-weight", "gradient-scale", "metric", "curvature-weight", "value-weight-property", "gradient-weight-property",
-                   "gradient-scale-property", "non-shrinking", "restore-volume", "solver"},
+                   "gradient-scale-property", "hessian-weight", "non-shrinking", "restore-volume", "solver"},
            "--operation denoise, which chooses from the data");
+  if(o.operation == Operation::DENOISE && o.non_manifold == GDP::Border_condition::ALONG_BORDER)
+    throw Usage_error("--non-manifold along-lines contradicts --operation denoise, which leaves such lines free or fixed");
   if(o.operation == Operation::ENHANCE_DETAILS)
     forbid(given, {"non-shrinking"}, "--operation enhance-details");
 }
@@ -115,7 +149,8 @@ void check_needs(const po::variables_map& given, const Options& o)
   require(given, {"iterations"}, is_filter && !is_fit, "--operation filter and a signal other than normal-to-position");
   require(given, {"non-shrinking"}, is_filter && !is_fit, "--operation filter and a signal other than normal-to-position");
   require(given, {"restore-volume", "axes", "max-displacement", "keep-normals"}, o.moves_vertices(), "a signal that moves vertices");
-  require(given, {"missing-values"}, o.signal == Signal_kind::PROPERTY, "--signal with the name of a property");
+  require(given, {"missing-values"}, o.signal == Signal_kind::PROPERTY || o.fills_heights(),
+          "--signal with the name of a property, or --axes with one axis");
 }
 
 void check_numbers(const Options& o)
@@ -123,6 +158,7 @@ void check_numbers(const Options& o)
   check_number("value-weight", o.value_weight, true);
   check_number("gradient-weight", o.gradient_weight, true);
   check_number("gradient-scale", o.gradient_scale, false);
+  check_number("hessian-weight", o.hessian_weight, true);
   check_number("curvature-weight", o.curvature_weight, true);
   check_number("presmoothing-weight", o.presmoothing_weight, true);
   check_number("normal-projection-weight", o.normal_projection_weight, true);
@@ -133,6 +169,8 @@ void check_numbers(const Options& o)
   check_number("max-displacement", o.max_displacement.value_or(0), true);
   check_number("weld-tolerance", o.weld_tolerance.value_or(0), true);
   check_count("iterations", o.iterations);
+  check_count("order", o.filter_order);
+  check_count("count", o.number_of_harmonics);
   check_count("non-shrinking", o.non_shrinking);
   check_count("passes", o.passes.value_or(1));
   if(o.jet_degree < 2 || o.jet_degree > 4)
@@ -158,6 +196,7 @@ void check_options(const po::variables_map& given, const Options& o)
   check_exclusions(given);
   check_operation(given, o);
   check_needs(given, o);
+  check_beyond(given, o);
   check_numbers(o);
   check_files(o);
   if(is_given(given, "threads"))
@@ -173,9 +212,11 @@ void check_output_form(const Options& o, const Output_form& form)
   const bool is_stl = form.format == File_format::STL, is_ply = form.format == File_format::PLY;
   if(o.signal == Signal_kind::CURVATURE && !is_ply)
     throw Usage_error("--signal curvature writes PLY only");
+  if(o.operation == Operation::SPECTRUM && !is_ply)
+    throw Usage_error("--operation spectrum writes PLY only: other formats have no properties");
   if(o.signal == Signal_kind::PROPERTY && !is_ply)
     throw Usage_error("--signal " + o.signal_name + " writes PLY only: other formats have no properties");
-  if(is_stl && !o.moves_vertices())
+  if(is_stl && !o.moves_vertices() && o.operation != Operation::SPECTRUM)
     throw Usage_error(o.output_name() + ": STL cannot hold the signal " + o.signal_name);
   if(form.encoding != Encoding::DEFAULT && !is_stl && !is_ply)
     throw Usage_error(std::string(form.encoding == Encoding::ASCII ? "--ascii" : "--binary") + " needs an output of PLY or STL");

@@ -16,7 +16,15 @@ po::options_description filter_options(Options& o)
 {
   po::options_description d("What is done", 100, 60);
   d.add_options()
-    ("operation", po::value<std::string>()->default_value("filter"), "filter | enhance-details (smooth, then sharpen what is left) | denoise")
+    ("operation", po::value<std::string>()->default_value("filter"), "filter | enhance-details (smooth, then sharpen what is left) | denoise | fair (the vertices of --region-vertices go on smoothly from "
+     "their surroundings) | low-pass | high-pass | band-pass | band-stop (waves by --wavelengths) | spectrum (harmonics are written as "
+     "properties harmonic_0, ...)")
+    ("wavelengths", po::value<std::string>()->value_name("A[,B]"), "cut-offs of low-pass and the like, in the unit of the file")
+    ("order", po::value(&o.filter_order)->default_value(4), "how sharp these are")
+    ("count", po::value(&o.number_of_harmonics)->default_value(10), "of the harmonics of spectrum")
+    ("eigenvalues", po::value(&o.eigenvalues)->value_name("FILE.csv"), "where spectrum writes the eigenvalues")
+    ("hessian-weight", po::value(&o.hessian_weight)->default_value(0, "0"),
+     "weight of second derivatives, a squared --gradient-weight: smooths without pulling borders in")
     ("signal", po::value<std::string>()->default_value("position"),
      "position | normal | color | normal-to-position (filter the normals, then fit the positions to them) | curvature (nothing is "
      "filtered: k1^2 + k2^2 is written as property 'curvature' and as color) | NAME[,NAME...]: properties of vertices or of faces")
@@ -52,17 +60,21 @@ po::options_description place_options(Options& o)
   d.add_options()
     ("constrain", po::value(&o.constrained_property)->value_name("PROPERTY"), "vertices where it is not 0 are kept")
     ("region", po::value(&o.region_property)->value_name("PROPERTY"),
-     "only faces with three vertices where it is not 0 are worked on; all other vertices are kept")
+     "only faces all of whose vertices have another number than 0 are worked on; all other vertices are kept")
+    ("region-vertices", po::value(&o.region_vertices_property)->value_name("PROPERTY"), "fair moves the vertices where it is not 0")
     ("value-weight-property", po::value(&o.value_weight_property)->value_name("PROPERTY"), "alpha at every vertex")
     ("gradient-weight-property", po::value(&o.gradient_weight_property)->value_name("PROPERTY"),
      "beta at every vertex; that of a face is the mean of its three")
     ("gradient-scale-property", po::value(&o.gradient_scale_property)->value_name("PROPERTY"), "lambda, likewise")
     ("border", po::value<std::string>()->default_value("free"),
      "free | fixed | along-border (the border is filtered as a curve of its own)")
+    ("non-manifold", po::value<std::string>()->default_value("free"),
+     "free | fixed | along-lines: what happens to edges with more than two faces, likewise; the sheets stay together")
     ("restore-volume", "scale every component so that it encloses the volume it enclosed before")
     ("axes", po::value<std::string>()->value_name("AXES"), "x, y, z, xy, xz or yz: vertices move along these only, as heights of terrain")
     ("max-displacement", po::value<double>()->value_name("D"), "no vertex moves further, in the unit of the file")
-    ("missing-values", "NaN in a property that is the signal means that there is no value: it is filled in")
+    ("missing-values", "NaN in a property that is the signal, or in a coordinate along the one axis of --axes, means that there is no "
+     "value: it is filled in")
     ("weld-tolerance", po::value<double>()->value_name("T"),
      "border vertices so close are one, relative to the extent; without it those of the same place")
     ("no-weld", "border vertices of the same place are not one: seams open");
@@ -83,7 +95,7 @@ po::options_description file_options(Options& o)
     ("threads", po::value(&o.threads), "at most so many threads (TBB)")
     ("report", po::value(&o.report)->value_name("FILE.json"), "write what was done, with times and memory")
     ("verbose", "say what was done")
-    ("quiet", "no progress on the terminal")
+    ("quiet", "neither progress on the terminal nor remarks: nothing but errors")
     ("help", "this text")
     ("version", "the version");
   return d;

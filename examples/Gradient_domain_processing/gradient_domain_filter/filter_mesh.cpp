@@ -5,14 +5,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "filter_mesh.h"
+#include "choose_solver.h"
 #include "signal.h"
 
-#include <CGAL/Gradient_domain_processing/internal/linear_solver/memory_estimate.h>
+#include <utility>
+#include <vector>
 
-CGAL::Gradient_domain_processing::Error_code filter_mesh(const Options& options, Mesh_file& file, Stage_clock& clock, Filter_facts& facts)
+using CGAL::Gradient_domain_processing::Error_code;
+
+namespace {
+
+// Conjugate gradients that do not converge leave everything as it was.
+Error_code filter_with_best(const Options& options, Mesh_file& file, Stage_clock& clock, Filter_facts& facts)
+{
+  if(!prefers_conjugate_gradients(options, file))
+    return filter_with_default(options, file, clock, facts);
+  const auto code = filter_with_cg(options, file, clock, facts);
+  return code == CGAL::Gradient_domain_processing::error_not_converged ? filter_with_default(options, file, clock, facts) : code;
+}
+
+// On failure the points are what they were.
+class Restored_points
+{
+  Mesh_file& m_file;
+  std::vector<Point> m_points;
+
+public:
+  explicit Restored_points(Mesh_file& file) : m_file(file), m_points(file.points) {}
+  ~Restored_points()
+  {
+    if(!m_points.empty())
+      m_file.points = std::move(m_points);
+  }
+  void forget() { m_points.clear(); }
+};
+
+Error_code filter(const Options& options, Mesh_file& file, Stage_clock& clock, Filter_facts& facts)
 {
   if(options.operation == Operation::DENOISE)
     return denoise_mesh(options, file, clock, facts);
+  if(options.operation == Operation::FAIR)
+    return fair_mesh(options, file, clock, facts);
+  if(options.operation == Operation::SPECTRUM)
+    return write_spectrum(options, file, facts);
+  if(options.is_band())
+    return filter_bands(options, file, clock, facts);
   if(options.signal == Signal_kind::PROPERTY && property_signal(options, file).is_at_faces)
     return filter_face_properties(options, file, clock, facts);
   switch(options.solver)
@@ -21,10 +58,22 @@ CGAL::Gradient_domain_processing::Error_code filter_mesh(const Options& options,
     case Solver_kind::EIGEN: return filter_with_eigen(options, file, clock, facts);
 #endif
     case Solver_kind::CG: return filter_with_cg(options, file, clock, facts);
-    case Solver_kind::AUTO:
-      if(!CGAL::Gradient_domain_processing::internal::cholesky_fits(file.points.size()))
-        return filter_with_cg(options, file, clock, facts);
-      return filter_with_default(options, file, clock, facts);
+    case Solver_kind::AUTO: return filter_with_best(options, file, clock, facts);
     default: return filter_with_default(options, file, clock, facts);
   }
+}
+
+} // namespace
+
+Error_code filter_mesh(const Options& options, Mesh_file& file, Stage_clock& clock, Filter_facts& facts)
+{
+  if(!options.fills_heights())
+    return filter(options, file, clock, facts);
+  Restored_points before(file);
+  Error_code code = fill_missing_heights(options, file, clock);
+  if(code == CGAL::Gradient_domain_processing::ok)
+    code = filter(options, file, clock, facts);
+  if(code == CGAL::Gradient_domain_processing::ok)
+    before.forget();
+  return code;
 }

@@ -15,6 +15,8 @@
 #include <CGAL/Gradient_domain_processing/fit_to_normals.h>
 #include <CGAL/Gradient_domain_processing/smooth.h>
 
+#include <cmath>
+
 namespace filter_mesh_impl {
 
 template <class SparseLinearSolver>
@@ -47,6 +49,7 @@ public:
       .face_gradient_weight_map(weight_map(beta, o.gradient_weight))
       .face_gradient_scale_map(weight_map(lambda, o.gradient_scale))
       .gradient_scale(o.gradient_scale)
+      .hessian_weight(o.hessian_weight)
       .curvature_metric_kind(o.metric)
       .curvature_weight(o.curvature_weight)
       .curvature_estimator(o.curvature)
@@ -160,7 +163,11 @@ private:
       return code;
     std::vector<double> total;
     for(const Curvature& k : curvatures)
+    {
       total.push_back(k.min_curvature * k.min_curvature + k.max_curvature * k.max_curvature);
+      if(!std::isfinite(total.back()))
+        return GDP::error_result_out_of_range;
+    }
     set_curvature(total, m_file);
     return GDP::ok;
   }

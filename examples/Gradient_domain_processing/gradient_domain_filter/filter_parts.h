@@ -74,6 +74,7 @@ auto common_parameters(const Options& options, Filter_input& input, Stage_clock&
     .visitor(std::ref(clock))
     .area_normalization(options.area_normalization)
     .border_condition(options.border)
+    .non_manifold_condition(options.non_manifold)
     .weld_tolerance(options.weld_tolerance.value_or(-1)) // negative: nothing is welded
     .movable_axes(input.movable_axes)
     .max_displacement(options.max_displacement.value_or(std::numeric_limits<double>::infinity()))

@@ -55,7 +55,6 @@ Error_code filter_face_properties(const Options& options, Mesh_file& file, Stage
     if(is_given)
       throw Failure(options.input_name(), std::string(option) + " works on signals of vertices, and '" + options.signal_name + "' is one of faces");
   };
-  refuse(!options.region_property.empty(), "--region");
   refuse(!options.constrained_property.empty(), "--constrain");
   refuse(!options.value_weight_property.empty(), "--value-weight-property");
   refuse(!options.gradient_weight_property.empty(), "--gradient-weight-property");
@@ -63,6 +62,8 @@ Error_code filter_face_properties(const Options& options, Mesh_file& file, Stage
   refuse(options.has_missing_values, "--missing-values");
   refuse(options.has_metric(), "--metric");
   refuse(options.non_shrinking > 1, "--non-shrinking");
+  refuse(options.border != GDP::Border_condition::FREE, "--border");
+  refuse(options.non_manifold != GDP::Border_condition::FREE, "--non-manifold");
   Filter_input input(options, file);
   Property_signal signal = property_signal(options, file);
   const auto np = common_parameters(options, input, clock, GDP::Default_sparse_linear_solver())
@@ -74,7 +75,8 @@ Error_code filter_face_properties(const Options& options, Mesh_file& file, Stage
     for(int i = 0; i < options.iterations; ++i)
     {
       const Array_map<double> map{&values};
-      if(const Error_code code = GDP::process_face_signal(file.points, file.polygons, map, map, np))
+      const auto run = [&](const auto&... faces) { return GDP::process_face_signal(faces..., file.points, file.polygons, map, map, np); };
+      if(const Error_code code = in_region(input, facts, run))
         return code;
     }
   signal.set();

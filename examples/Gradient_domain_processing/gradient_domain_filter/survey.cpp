@@ -20,25 +20,26 @@ class Surveyor
   const std::vector<Point>& m_points;
   const Polygons& m_polygons;
   Survey m_survey;
-  std::vector<char> m_is_on_border;
+  std::vector<char> m_is_on_border, m_is_at_odd_edge;
   std::vector<int> m_parent; // of vertices that are joined
 
 public:
   Surveyor(const std::vector<Point>& points, const Polygons& polygons)
-    : m_points(points), m_polygons(polygons), m_is_on_border(points.size(), 0), m_parent(points.size()) {}
+    : m_points(points), m_polygons(polygons), m_is_on_border(points.size(), 0), m_is_at_odd_edge(points.size(), 0), m_parent(points.size()) {}
 
   Survey survey()
   {
     m_survey.vertices = m_points.size();
     m_survey.faces = m_polygons.size();
     count_edges();
+    count_repeated_faces();
     count_seams();
     measure_components();
     return m_survey;
   }
 
 private:
-  // The faces of an edge meet in the bucket of its smaller end.
+  // The faces of an edge meet in the bucket of its smaller end, as the other end and the direction.
   void count_edges()
   {
     std::vector<std::uint32_t> begin(m_points.size() + 1, 0);
@@ -48,24 +49,50 @@ private:
     std::vector<int> other(begin.back());
     {
       std::vector<std::uint32_t> at(begin.begin(), begin.end() - 1);
-      for_each_edge([&](int v, int w) { other[at[std::size_t((std::min)(v, w))]++] = (std::max)(v, w); });
+      for_each_edge([&](int v, int w) { other[at[std::size_t((std::min)(v, w))]++] = 2 * (std::max)(v, w) + (v < w); });
     }
     for(std::size_t v = 0; v < m_points.size(); ++v)
     {
       std::sort(other.begin() + begin[v], other.begin() + begin[v + 1]);
       for(std::uint32_t i = begin[v], next; i < begin[v + 1]; i = next)
       {
-        for(next = i + 1; next < begin[v + 1] && other[next] == other[i]; ++next)
+        const int w = other[i] / 2;
+        for(next = i + 1; next < begin[v + 1] && other[next] / 2 == w; ++next)
           ;
+        const bool is_crowded = next - i > 2, is_flipped = next - i == 2 && other[i] == other[i + 1];
         ++m_survey.edges;
-        m_survey.crowded_edges += next - i > 2;
+        m_survey.crowded_edges += is_crowded;
+        m_survey.flipped_edges += is_flipped;
+        if(is_crowded || is_flipped)
+          m_is_at_odd_edge[v] = m_is_at_odd_edge[std::size_t(w)] = 1;
         if(next - i == 1)
         {
           ++m_survey.border_edges;
-          m_is_on_border[v] = m_is_on_border[std::size_t(other[i])] = 1;
+          m_is_on_border[v] = m_is_on_border[std::size_t(w)] = 1;
         }
       }
     }
+  }
+
+  // All edges of such a face are odd. Its vertices in any order have the same sum of scrambled numbers.
+  void count_repeated_faces()
+  {
+    std::vector<std::uint64_t> sums;
+    for(std::size_t f = 0; f < m_polygons.size(); ++f)
+    {
+      const auto polygon = m_polygons[f];
+      if(!std::all_of(polygon.begin(), polygon.end(), [&](int v) { return m_is_at_odd_edge[std::size_t(v)] != 0; }))
+        continue;
+      std::uint64_t sum = 0;
+      for(int v : polygon)
+      {
+        const std::uint64_t x = (std::uint64_t(v) + 1) * 0x9E3779B97F4A7C15u;
+        sum += (x ^ (x >> 31)) * 0xBF58476D1CE4E5B9u;
+      }
+      sums.push_back(sum);
+    }
+    std::sort(sums.begin(), sums.end());
+    m_survey.repeated_faces = std::size_t(sums.end() - std::unique(sums.begin(), sums.end()));
   }
 
   template <class Visit>
@@ -75,7 +102,8 @@ private:
     {
       const auto polygon = m_polygons[f];
       for(std::ptrdiff_t i = 0, n = std::ptrdiff_t(polygon.size()); i < n; ++i)
-        visit(polygon[i], polygon[i + 1 < n ? i + 1 : 0]);
+        if(const int v = polygon[i], w = polygon[i + 1 < n ? i + 1 : 0]; v != w)
+          visit(v, w);
     }
   }
 
@@ -139,11 +167,15 @@ private:
         for(std::size_t i = 0; i < 3; ++i)
         {
           const double x = m_points[std::size_t(v)][int(i)];
+          is_used[std::size_t(v)] = 1;
+          if(!std::isfinite(x))
+            continue;
           component.low[i] = (std::min)(component.low[i], x);
           component.high[i] = (std::max)(component.high[i], x);
-          is_used[std::size_t(v)] = 1;
         }
-      m_survey.area += area(m_polygons[f]);
+      const double a = area(m_polygons[f]);
+      m_survey.flat_faces += a == 0;
+      m_survey.area += a;
     }
     m_survey.unused_vertices = std::size_t(std::count(is_used.begin(), is_used.end(), 0));
     m_survey.smallest_extent = infinity;
@@ -178,7 +210,7 @@ std::string counted(std::size_t n, const std::string& one, const std::string& ma
 
 } // namespace
 
-std::vector<std::string> Survey::remarks(bool seams_are_welded) const
+std::vector<std::string> Survey::remarks(bool seams_are_welded, bool has_one_weight) const
 {
   std::vector<std::string> remarks;
   if(seam_vertices > 0 && !seams_are_welded) // else the library says so
@@ -186,14 +218,21 @@ std::vector<std::string> Survey::remarks(bool seams_are_welded) const
                       + " at the same place as others are not one, as --no-weld says: such seams open");
   if(crowded_edges > 0)
     remarks.push_back(counted(crowded_edges, "edge", "edges") + " with more than two faces, which stay together");
-  if(components > 1 && smallest_extent < largest_extent / 10)
+  if(flipped_edges > 0)
+    remarks.push_back(counted(flipped_edges, "edge", "edges") + " between faces of which one is turned over");
+  if(repeated_faces > 0)
+    remarks.push_back(counted(repeated_faces, "face that is", "faces that are") + " there already, with the same vertices: such weigh twice");
+  if(flat_faces > 0)
+    remarks.push_back(counted(flat_faces, "face", "faces") + " without area");
+  if(has_one_weight && components > 1 && smallest_extent < largest_extent / 10)
     remarks.push_back(counted(components, "part", "parts") + " of very different size under one weight: the smallest is "
                       + std::to_string(int(std::round(largest_extent / (std::max)(smallest_extent, largest_extent * 1e-6))))
                       + " times smaller than the largest and changes most");
   if(lone_faces > 0 && faces > 1)
-    remarks.push_back(counted(lone_faces, "face that is", "faces that are") + " connected to no other");
+    remarks.push_back(counted(lone_faces, "face that is", "faces that are") + " connected to no other"
+                      + (lone_faces > faces / 2 ? ": does a --weld-tolerance join them?" : ""));
   if(unused_vertices > 0)
-    remarks.push_back(counted(unused_vertices, "vertex", "vertices") + " without a face, left as they are");
+    remarks.push_back(counted(unused_vertices, "vertex without a face stays as it is", "vertices without a face stay as they are"));
   return remarks;
 }
 

@@ -19,7 +19,7 @@ namespace Gradient_domain_processing {
  * The names are in small letters because some of those in capitals are macros of `<windows.h>` or `<curses.h>`. Those in capitals
  * (`OK`, `ERROR_EMPTY_MESH`, ...) are constants of the same values, wherever no macro has taken them.
  */
-enum Error_code
+enum [[nodiscard]] Error_code
 {
   ok,                               ///< Success.
   error_empty_mesh,                 ///< The mesh has no face.

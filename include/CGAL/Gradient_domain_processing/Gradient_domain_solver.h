@@ -168,6 +168,11 @@ public:
    *     \cgalParamType{`Border_condition`}
    *     \cgalParamDefault{`Border_condition::FREE`}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{non_manifold_condition}
+   *     \cgalParamDescription{what happens where three faces or more share an edge, as at the triple lines of label maps. The sheets stay together in any case; `ALONG_BORDER` filters these lines first, as curves of their own, which `denoise()` does not know.}
+   *     \cgalParamType{`Border_condition`}
+   *     \cgalParamDefault{`Border_condition::FREE`}
+   *   \cgalParamNEnd
    *   \cgalParamNBegin{weld_tolerance}
    *     \cgalParamDescription{joins border vertices that are not further apart than this, relative to the extent of the surface, as the two sides of a texture seam or the corners of an STL file are. They become one degree of freedom; each gets the same change, so that signals that differ at a seam go on doing so.}
    *     \cgalParamType{`double`, `0` for vertices in the same place, negative for none}

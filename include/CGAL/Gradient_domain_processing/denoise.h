@@ -36,7 +36,7 @@ namespace Gradient_domain_processing {
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, with a vertex point map that can be written
  *
  * \param tm the triangle mesh; its points are moved
- * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `vertex_is_constrained_map`, `border_condition`,
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `vertex_is_constrained_map`, `border_condition`, `non_manifold_condition`,
  *        `concurrency_tag`, `visitor`, `vertex_point_map`, `vertex_index_map` of `Gradient_domain_solver`, and
  *
  * \cgalNamedParamsBegin

@@ -12,6 +12,37 @@
 namespace CGAL {
 namespace Gradient_domain_processing {
 
+namespace internal {
+
+template <class Surface, class NamedParameters>
+Error_code divergence_matrix(const Surface& surface, const NamedParameters& np, Eigen::SparseMatrix<double>& divergence)
+{
+  Matrix_input input;
+  if(const Error_code code = read_matrix_input(surface, np, input))
+    return code;
+  Eigen::SparseMatrix<double> columns(index_range(input.vertex_index), 2 * index_range(input.face_index));
+  columns.reserve(Eigen::VectorXi::Constant(columns.cols(), 3));
+  for(int f = 0; f < input.mesh.number_of_triangles(); ++f)
+  {
+    const auto& t = input.mesh.triangles[f];
+    const Triangle_metric metric = input.metrics(input.mesh, f);
+    const double at_0 = half_cotangent(metric, 0), at_1 = half_cotangent(metric, 1), at_2 = half_cotangent(metric, 2);
+    const int first = 2 * input.face_index[f];
+    const auto add = [&](int corner, double by_t1, double by_t2) {
+      columns.coeffRef(input.vertex_index[t[corner]], first) += by_t1;
+      columns.coeffRef(input.vertex_index[t[corner]], first + 1) += by_t2;
+    };
+    add(0, -at_2, -at_1);
+    add(1, at_2 + at_0, -at_0);
+    add(2, -at_0, at_1 + at_0);
+  }
+  columns.makeCompressed();
+  divergence.swap(columns);
+  return ok;
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
@@ -30,28 +61,22 @@ template <class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Error_code divergence_matrix(const TriangleMesh& tm, Eigen::SparseMatrix<double>& divergence,
                              const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  internal::Matrix_input input;
-  if(const Error_code code = internal::read_matrix_input(tm, np, input))
-    return code;
-  Eigen::SparseMatrix<double> columns(internal::index_range(input.vertex_index), 2 * internal::index_range(input.face_index));
-  columns.reserve(Eigen::VectorXi::Constant(columns.cols(), 3));
-  for(int f = 0; f < input.mesh.number_of_triangles(); ++f)
-  {
-    const auto& t = input.mesh.triangles[f];
-    const Triangle_metric metric = input.metrics(input.mesh, f);
-    const double at_0 = internal::half_cotangent(metric, 0), at_1 = internal::half_cotangent(metric, 1), at_2 = internal::half_cotangent(metric, 2);
-    const int first = 2 * input.face_index[f];
-    const auto add = [&](int corner, double by_t1, double by_t2) {
-      columns.insert(input.vertex_index[t[corner]], first) = by_t1;
-      columns.insert(input.vertex_index[t[corner]], first + 1) = by_t2;
-    };
-    add(0, -at_2, -at_1);
-    add(1, at_2 + at_0, -at_0);
-    add(2, -at_0, at_1 + at_0);
-  }
-  columns.makeCompressed();
-  divergence.swap(columns);
-  return ok;
+  return internal::divergence_matrix(tm, np, divergence);
+}
+
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * does so for a soup: points and triangles connected in any way. Rows and columns are numbered by the indices of points and triangles; there is no `vertex_point_map`, and
+ * nothing is welded.
+ */
+template <class PointRange, class TriangleRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_range<const PointRange>, class = internal::Enable_if_range<const TriangleRange> >
+Error_code divergence_matrix(const PointRange& points, const TriangleRange& triangles, Eigen::SparseMatrix<double>& divergence,
+                             const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  const internal::Polygon_soup<const PointRange, TriangleRange> soup{points, triangles};
+  return internal::divergence_matrix(soup, np, divergence);
 }
 
 } // namespace Gradient_domain_processing

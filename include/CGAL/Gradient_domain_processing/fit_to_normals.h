@@ -35,7 +35,7 @@ Error_code fit_to_normals(Solver solver, PointMap point_map, VertexNormalMap nor
   if(const Error_code code = solver.checked(read_own_normals(np, solver.elements(), filter, own)))
     return code;
   if(!Has_parameter<gradient_scale_t, NamedParameters>::value && !Has_parameter<face_gradient_scale_map_t, NamedParameters>::value)
-    solver.set_gradient_scale(1);
+    filter.system.set_scale(1);
 
   const Normal_fit_kind kind = parameter(np, normal_fit_kind, Normal_fit_kind::FACES);
   return move_positions(solver, point_map, np, [&](const auto& end_of_pass) -> Error_code {

@@ -12,6 +12,29 @@
 namespace CGAL {
 namespace Gradient_domain_processing {
 
+namespace internal {
+
+template <class Surface, class NamedParameters>
+Error_code gradient_matrix(const Surface& surface, const NamedParameters& np, Eigen::SparseMatrix<double>& gradient)
+{
+  Matrix_input input;
+  if(const Error_code code = read_matrix_input(surface, np, input))
+    return code;
+  Eigen::SparseMatrix<double, Eigen::RowMajor> rows(2 * index_range(input.face_index), index_range(input.vertex_index));
+  rows.reserve(Eigen::VectorXi::Constant(rows.rows(), 2));
+  for(int f = 0; f < input.mesh.number_of_triangles(); ++f)
+    for(int i = 0; i < 2; ++i)
+    {
+      const auto& t = input.mesh.triangles[f];
+      rows.coeffRef(2 * input.face_index[f] + i, input.vertex_index[t[0]]) -= 1; // corners may coincide
+      rows.coeffRef(2 * input.face_index[f] + i, input.vertex_index[t[i + 1]]) += 1;
+    }
+  gradient = rows;
+  return ok;
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
@@ -29,21 +52,22 @@ template <class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Error_code gradient_matrix(const TriangleMesh& tm, Eigen::SparseMatrix<double>& gradient,
                            const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  internal::Matrix_input input;
-  if(const Error_code code = internal::read_matrix_input(tm, np, input))
-    return code;
-  Eigen::SparseMatrix<double, Eigen::RowMajor> rows(2 * internal::index_range(input.face_index),
-                                                    internal::index_range(input.vertex_index));
-  rows.reserve(Eigen::VectorXi::Constant(rows.rows(), 2));
-  for(int f = 0; f < input.mesh.number_of_triangles(); ++f)
-    for(int i = 0; i < 2; ++i)
-    {
-      const auto& t = input.mesh.triangles[f];
-      rows.insert(2 * input.face_index[f] + i, input.vertex_index[t[0]]) = -1;
-      rows.insert(2 * input.face_index[f] + i, input.vertex_index[t[i + 1]]) = 1;
-    }
-  gradient = rows;
-  return ok;
+  return internal::gradient_matrix(tm, np, gradient);
+}
+
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * does so for a soup: points and triangles connected in any way. Rows and columns are numbered by the indices of points and triangles; there is no `vertex_point_map`, and
+ * nothing is welded.
+ */
+template <class PointRange, class TriangleRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_range<const PointRange>, class = internal::Enable_if_range<const TriangleRange> >
+Error_code gradient_matrix(const PointRange& points, const TriangleRange& triangles, Eigen::SparseMatrix<double>& gradient,
+                           const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  const internal::Polygon_soup<const PointRange, TriangleRange> soup{points, triangles};
+  return internal::gradient_matrix(soup, np, gradient);
 }
 
 } // namespace Gradient_domain_processing

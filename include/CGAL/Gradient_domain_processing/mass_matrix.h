@@ -20,7 +20,7 @@ namespace Gradient_domain_processing {
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  *
- * \param tm the triangle mesh
+ * \param tm the mesh; polygons take part by their virtual vertices, if no `face_metric_map` is given
  * \param mass the result, \f$ |V| \times |V| \f$, symmetric and stored as a whole, in squared lengths of the mesh; rows and columns are
  *        numbered by `vertex_index_map`. Vertices without a face have zero rows.
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
@@ -56,6 +56,21 @@ template <class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Error_code mass_matrix(const TriangleMesh& tm, Eigen::SparseMatrix<double>& mass, const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return internal::assemble_matrix(tm, 1, 0, np, mass);
+}
+
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * does so for a soup: points and polygons connected in any way. Rows and columns are numbered by the indices of points and polygons; there is no `vertex_point_map`, and
+ * nothing is welded.
+ */
+template <class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_range<const PointRange>, class = internal::Enable_if_range<const PolygonRange> >
+Error_code mass_matrix(const PointRange& points, const PolygonRange& polygons, Eigen::SparseMatrix<double>& mass,
+                       const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  const internal::Polygon_soup<const PointRange, PolygonRange> soup{points, polygons};
+  return internal::assemble_matrix(soup, 1, 0, np, mass);
 }
 
 } // namespace Gradient_domain_processing

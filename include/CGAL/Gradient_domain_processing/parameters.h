@@ -35,6 +35,7 @@
   ADD(face_gradient_weight_map)        \
   ADD(face_gradient_scale_map)         \
   ADD(border_condition)                \
+  ADD(non_manifold_condition)          \
   ADD(restore_volume)                  \
   ADD(normal_projection_weight)        \
   ADD(sharpening_weight)               \

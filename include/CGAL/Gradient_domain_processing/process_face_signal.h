@@ -21,13 +21,14 @@ namespace Gradient_domain_processing {
  * \f[ \alpha \sum_f a_f |f_f - g_f|^2 + \beta \sum_e w_e |\lambda (f_a - f_b) - (g_a - g_b)|^2 \f]
  *
  * with the areas \f$ a_f \f$ of the faces and a weight \f$ w_e \f$ for every edge \f$ e \f$ between two faces \f$ a, b \f$: equation 1 of the
- * paper with the graph Laplacian of the dual mesh in place of the stiffness matrix. `denoise()` filters normals in this way.
+ * paper with the graph Laplacian of the dual mesh in place of the stiffness matrix. `denoise()` filters normals in this way. Faces may be
+ * polygons; an edge with three faces or more connects none of them.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam InMap a model of `ReadablePropertyMap` with key `face_descriptor` and any value that `Signal_traits` knows
  * \tparam OutMap a model of `WritablePropertyMap` with a value of the same dimension
  *
- * \param tm the triangle mesh; it is not changed
+ * \param tm the mesh; it is not changed
  * \param in the signal \f$ f \f$
  * \param out the result \f$ g \f$; may be `in`
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `area_normalization`,
@@ -52,7 +53,7 @@ namespace Gradient_domain_processing {
  *   \cgalParamNBegin{interior_edge_weight_map}
  *     \cgalParamDescription{\f$ w_e \f$ at every edge that is not a border edge, at least 0 and without unit; for example small where the signal may jump}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with key `edge_descriptor` and a number type as value}
- *     \cgalParamDefault{the length of the edge divided by the distance of the centroids of its faces, which makes \f$ \beta \f$ a diffusion time}
+ *     \cgalParamDefault{the length of the edge divided by the distance of the centers of its faces, which makes \f$ \beta \f$ a diffusion time}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
@@ -85,16 +86,35 @@ Error_code process_face_signal(const FaceRange& region, const TriangleMesh& tm, 
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * does so to a soup of triangles. Property maps have indices, of type `std::size_t`, as keys; there is no `interior_edge_weight_map`.
+ * does so to points and polygons. Property maps have indices, of type `std::size_t`, as keys; there is no `interior_edge_weight_map`, and
+ * with `weld_tolerance` faces are neighbors across a seam.
  */
-template <class PointRange, class TriangleRange, class InMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS,
-          class = internal::Enable_if_range<const PointRange>, class = internal::Enable_if_range<const TriangleRange>, class = void>
-Error_code process_face_signal(const PointRange& points, const TriangleRange& triangles, InMap in, OutMap out,
+template <class PointRange, class PolygonRange, class InMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_range<const PointRange>, class = internal::Enable_if_range<const PolygonRange>, class = void>
+Error_code process_face_signal(const PointRange& points, const PolygonRange& polygons, InMap in, OutMap out,
                                const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return internal::process_face_signal(
-    make_gradient_domain_solver(points, triangles, parameters::with(np).curvature_metric_kind(Curvature_metric_kind::EMBEDDING)),
-    triangles, in, out, np);
+    make_gradient_domain_solver(points, polygons, parameters::with(np).curvature_metric_kind(Curvature_metric_kind::EMBEDDING)),
+    polygons, in, out, np);
+}
+
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * does so to a region of points and polygons.
+ *
+ * \param region a range of indices of polygons; may be empty
+ * \param points, polygons, in, out, np as above
+ */
+template <class FaceRange, class PointRange, class PolygonRange, class InMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_range<const PointRange>, class = internal::Enable_if_range<const PolygonRange> >
+Error_code process_face_signal(const FaceRange& region, const PointRange& points, const PolygonRange& polygons, InMap in, OutMap out,
+                               const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return internal::process_face_signal(
+    make_gradient_domain_solver(region, points, polygons, parameters::with(np).curvature_metric_kind(Curvature_metric_kind::EMBEDDING)),
+    polygons, in, out, np);
 }
 
 } // namespace Gradient_domain_processing

@@ -53,6 +53,21 @@ inline Error_code free_eigenpairs(const Eigen::SparseMatrix<double>& a, const Ei
   return ok;
 }
 
+// `is_constrained` by number of a vertex.
+inline Error_code spectrum(const Eigen::SparseMatrix<double>& mass, const Eigen::SparseMatrix<double>& stiffness,
+                           const std::vector<char>& is_constrained, int count, Eigen::VectorXd& eigenvalues, Eigen::MatrixXd& harmonics)
+{
+  std::vector<char> is_free(std::size_t(mass.rows()));
+  for(std::size_t i = 0; i < is_free.size(); ++i)
+    is_free[i] = !is_constrained[i] && mass.coeff(Eigen::Index(i), Eigen::Index(i)) > 0;
+  Eigenpairs pairs;
+  if(const Error_code code = free_eigenpairs(stiffness, mass, is_free, count, pairs))
+    return code;
+  eigenvalues.swap(pairs.values);
+  harmonics.swap(pairs.vectors);
+  return ok;
+}
+
 } // namespace internal
 
 /*!
@@ -64,7 +79,7 @@ inline Error_code free_eigenpairs(const Eigen::SparseMatrix<double>& a, const Ei
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  *
- * \param tm the triangle mesh
+ * \param tm the mesh, of triangles or other polygons
  * \param count how many, not more than there are vertices with a face that are not constrained
  * \param eigenvalues the result, increasing, in 1 / squared lengths of the mesh
  * \param harmonics one column each, with \f$ \phi^T M \phi = 1 \f$; rows are numbered by `vertex_index_map`, those of constrained vertices and
@@ -84,23 +99,41 @@ Error_code spectrum(const TriangleMesh& tm, int count, Eigen::VectorXd& eigenval
   if(const Error_code code = stiffness_matrix(tm, stiffness, np))
     return code;
 
-  std::vector<char> is_free(std::size_t(mass.rows()));
-  for(std::size_t i = 0; i < is_free.size(); ++i)
-    is_free[i] = mass.coeff(Eigen::Index(i), Eigen::Index(i)) > 0;
+  std::vector<char> is_constrained(std::size_t(mass.rows()), 0);
   if constexpr(internal::Has_parameter<CGAL::internal_np::vertex_is_constrained_t, CGAL_NP_CLASS>::value)
   {
     const auto index_map = CGAL::get_initialized_vertex_index_map(tm, np);
     for(auto v : vertices(tm))
       if(get(internal::parameter(np, CGAL::internal_np::vertex_is_constrained, 0), v))
-        is_free[std::size_t(get(index_map, v))] = 0;
+        is_constrained[std::size_t(get(index_map, v))] = 1;
   }
+  return internal::spectrum(mass, stiffness, is_constrained, count, eigenvalues, harmonics);
+}
 
-  internal::Eigenpairs pairs;
-  if(const Error_code code = internal::free_eigenpairs(stiffness, mass, is_free, count, pairs))
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * does so on a soup, with any number of polygons at an edge. Rows of the harmonics are those of the points; points beyond the last that a polygon
+ * uses have none.
+ *
+ * \param points a model of `RandomAccessContainer` of points
+ * \param polygons a model of `RandomAccessContainer` whose value is a range of indices of points
+ * \param count, eigenvalues, harmonics, np as above; property maps have indices, of type `std::size_t`, as keys
+ */
+template <class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_range<const PolygonRange> >
+Error_code spectrum(const PointRange& points, const PolygonRange& polygons, int count, Eigen::VectorXd& eigenvalues, Eigen::MatrixXd& harmonics,
+                    const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  Eigen::SparseMatrix<double> mass, stiffness;
+  if(const Error_code code = mass_matrix(points, polygons, mass, np))
     return code;
-  eigenvalues.swap(pairs.values);
-  harmonics.swap(pairs.vectors);
-  return ok;
+  if(const Error_code code = stiffness_matrix(points, polygons, stiffness, np))
+    return code;
+  std::vector<char> is_constrained(std::size_t(mass.rows()), 0);
+  if constexpr(internal::Has_parameter<CGAL::internal_np::vertex_is_constrained_t, CGAL_NP_CLASS>::value)
+    for(std::size_t v = 0; v < is_constrained.size(); ++v)
+      is_constrained[v] = bool(get(internal::parameter(np, CGAL::internal_np::vertex_is_constrained, 0), v));
+  return internal::spectrum(mass, stiffness, is_constrained, count, eigenvalues, harmonics);
 }
 
 } // namespace Gradient_domain_processing

@@ -18,7 +18,7 @@ namespace Gradient_domain_processing {
  * assembles the stiffness matrix \f$ S_{ij} = \int \langle \nabla \phi_i, \nabla \phi_j \rangle \f$ (paper, appendix A.4), positive
  * semi-definite, the cotangent Laplacian with positive diagonal under the metric of the embedding. Its rows sum up to zero; \f$ S = D G \f$.
  *
- * \param tm the triangle mesh
+ * \param tm the mesh; polygons take part by their virtual vertices, if no `face_metric_map` is given
  * \param stiffness the result, \f$ |V| \times |V| \f$, symmetric and stored as a whole, without unit
  * \param np as those of `mass_matrix()`
  *
@@ -29,6 +29,21 @@ Error_code stiffness_matrix(const TriangleMesh& tm, Eigen::SparseMatrix<double>&
                             const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return internal::assemble_matrix(tm, 0, 1, np, stiffness);
+}
+
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * does so for a soup: points and polygons connected in any way. Rows and columns are numbered by the indices of points and polygons; there is no `vertex_point_map`, and
+ * nothing is welded.
+ */
+template <class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_range<const PointRange>, class = internal::Enable_if_range<const PolygonRange> >
+Error_code stiffness_matrix(const PointRange& points, const PolygonRange& polygons, Eigen::SparseMatrix<double>& stiffness,
+                            const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  const internal::Polygon_soup<const PointRange, PolygonRange> soup{points, polygons};
+  return internal::assemble_matrix(soup, 0, 1, np, stiffness);
 }
 
 } // namespace Gradient_domain_processing

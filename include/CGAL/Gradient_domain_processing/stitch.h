@@ -37,7 +37,8 @@ Error_code stitch(Solver solver, VertexPatchMap patch_map, InMap in, OutMap out,
 {
   using namespace CGAL::internal_np;
   if(!Has_parameter<gradient_weight_t, NamedParameters>::value && !Has_parameter<face_gradient_weight_map_t, NamedParameters>::value)
-    solver.set_gradient_weight(1e4);
+    if(const Error_code code = solver.set_gradient_weight(1e4))
+      return code;
   if(solver.error() != ok)
     return solver.error();
   auto& filter = solver.arrays();

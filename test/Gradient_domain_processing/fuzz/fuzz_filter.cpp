@@ -75,12 +75,13 @@ bool are_same(const std::vector<Point>& a, const std::vector<Point>& b)
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Point& p, const Point& q) { return is_same(p, q); });
 }
 
-// What faces use is finite, and what was filtered.
-bool is_finite(const Mesh_file& file)
+// What faces use is finite, and what was filtered; but outside of a region points stay whatever they are.
+bool is_finite(const Mesh_file& file, const Mesh_file& before, bool has_region)
 {
   for(int v : file.polygons.corners)
     for(int i = 0; i < 3; ++i)
-      if(!std::isfinite(file.points[std::size_t(v)][i]))
+      if(!std::isfinite(file.points[std::size_t(v)][i])
+         && !(has_region && is_same(file.points[std::size_t(v)], before.points[std::size_t(v)])))
         return false;
   for(const Columns* columns : {&file.vertex_columns, &file.face_columns, &file.normal_columns})
     for(const Column& column : *columns)
@@ -176,7 +177,7 @@ void run(std::string_view input)
     return;
   }
   report.updated_normals = update_normals(before.points, file);
-  demand(is_finite(file), "the result is not finite");
+  demand(is_finite(file, before, !options.region_property.empty()), "the result is not finite");
   check_written(file, options);
   demand(!report.json(options, clock).empty() && !report.summary(options, clock).empty(), "no report");
 }

@@ -158,6 +158,22 @@ seed("obj_continued", "a.obj b.obj --gradient-weight 1e-2", obj(OCTAHEDRON, lamb
 seed("off_face_colors", "a.off b.ply --operation denoise --noise-level 0.1 --passes 1",
      off((OCTAHEDRON[0], [(0, 2, 4), (2, 1, 4)])).replace("3 0 2 4", "3 0 2 4 255 0 0").replace("3 2 1 4", "3 2 1 4 0 0 9"))
 seed("stl_weld", "a.stl b.stl --weld-tolerance 1e-3 --binary", whole["stl"])
+seed("stl_quads", "a.stl b.stl --binary", whole["stl"].replace("endloop", "vertex 1 1 1\nendloop"))
+seed("obj_comments", "a.obj b.obj --gradient-weight 1e-3", whole["obj"].replace("\n", "# no space\n"))
+seed("off_comments_close", "a.off b.off --gradient-weight 0", off(OCTAHEDRON).replace(" 0\n", " 0#zero\n"))
+seed("ply_region_nan", "a.ply b.ply --region selected", ascii_ply(grid).replace("0 0 0.0", "nan 0 0.0"))
+seed("ply_strips_unsigned", "a.ply b.ply --binary", (FOLDER / "ply_strips").read_text().split("\n", 1)[1].replace("list int int", "list int uint"))
+seed("ply_list_spelling", "a.ply b.ply --gradient-weight 0", "ply\nformat ascii 1.0\nelement vertex 3\nproperty list char int near\n"
+     "property float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+     "+1 7 0 0 0\n2.0 7 7 1 0 0\n0.2e1 7 7 0 1 0\n+3.0 0 1 2\n")
+seed("ply_beyond_types", "a.ply b.ply --binary", ascii_ply(grid).replace("0 0 0.0", "0 0 1e300"))
+seed("ply_list_named_as_new", "a.ply b.ply --signal curvature", "ply\nformat ascii 1.0\nelement vertex 4\nproperty list char int curvature\n"
+     "property float x\nproperty float y\nproperty float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"
+     "0 0 0 0\n0 1 0 0\n0 0 1 0\n0 1 1 1\n3 0 1 2\n3 1 3 2\n")
+seed("curvature_overflows", "a.off b.ply --signal curvature",
+     off(([tuple(x * 1e-160 for x in p) for p in grid[0]], grid[1])))
+seed("off_lines", "a.off b.off --non-manifold along-lines --border fixed --gradient-weight 1e-2", off(THREE_ON_AN_EDGE))
+seed("ply_heights", "a.ply b.ply --axes z --missing-values", ascii_ply(grid).replace("1 1 0.299", "1 1 nan").replace("2 1 0.16", "2 1 nan"))
 seed("help", "--help", "")
 
 # broken ones

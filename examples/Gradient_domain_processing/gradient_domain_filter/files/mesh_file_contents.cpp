@@ -88,7 +88,8 @@ bool is_one_of(const std::string& name, std::initializer_list<const char*> names
 }
 
 // Those of the columns that the format cannot hold, normals and colors by these words.
-void note_columns(const Columns& columns, const char* where, bool holds_normals, bool holds_colors, std::vector<std::string>& lost)
+void note_columns(const Columns& columns, const char* where, bool holds_normals, bool holds_colors, bool holds_alpha,
+                  std::vector<std::string>& lost)
 {
   std::string names;
   std::size_t count = 0;
@@ -103,6 +104,8 @@ void note_columns(const Columns& columns, const char* where, bool holds_normals,
     {
       if(!holds_colors && column.name == "red")
         lost.push_back(std::string("colors of ") + where);
+      else if(holds_colors && !holds_alpha && column.name == "alpha")
+        lost.push_back(std::string("alpha of ") + where);
     }
     else if(++count <= 6)
       names += (names.empty() ? "" : ", ") + column.name;
@@ -122,7 +125,7 @@ void check_range(const Mesh_file& file, const Output_form& form)
 {
   const bool is_single = form.precision == Precision::SINGLE || is_binary_stl(file, form)
                          || (form.precision == Precision::DEFAULT && form.format == File_format::PLY && file.format == File_format::PLY
-                             && file.coordinate_type == Number_type::FLOAT && !is_text(file));
+                             && file.coordinate_type == Number_type::FLOAT && !(is_text(file) && can_replace(file, form)));
   if(!is_single)
     return;
   for(std::size_t v = 0; v < file.points.size(); ++v)
@@ -174,9 +177,9 @@ std::vector<std::string> not_kept(const Mesh_file& file, const Output_form& form
   const bool is_ply = form.format == File_format::PLY, is_stl = form.format == File_format::STL;
   if(!is_ply)
   {
-    note_columns(file.vertex_columns, "vertices", !is_stl, !is_stl, lost);
+    note_columns(file.vertex_columns, "vertices", !is_stl, !is_stl, form.format == File_format::OFF, lost);
     if(file.format != File_format::STL) // its normals follow from the corners
-      note_columns(file.face_columns, "faces", is_stl, form.format == File_format::OFF, lost);
+      note_columns(file.face_columns, "faces", is_stl, form.format == File_format::OFF, true, lost);
   }
   if(file.normal_columns.has_normals() && (is_stl || vertex_normals_of_file(file).empty()))
     lost.push_back(is_stl ? "normals of vertices" : "normals, which are not one for every vertex");
@@ -195,7 +198,7 @@ void check_form(const Mesh_file& file, const Output_form& form, const std::strin
 {
   if(form.format == File_format::STL && form.precision == Precision::DOUBLE && is_binary_stl(file, form))
     throw Failure(output, "binary STL is single precision");
-  if(form.format != File_format::STL || file.format == File_format::STL)
+  if(form.format != File_format::STL || can_replace(file, form))
     return;
   for(std::size_t f = 0; f < file.polygons.size(); ++f)
     if(file.polygons[f].size() != 3)

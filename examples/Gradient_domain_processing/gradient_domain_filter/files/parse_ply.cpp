@@ -6,6 +6,7 @@
 
 #include "Mesh_file.h"
 #include "Ply.h"
+#include "file_blocks.h"
 
 #include <algorithm>
 
@@ -87,19 +88,103 @@ private:
     return columns;
   }
 
-  // Column by column, where all records have the same size.
+  // Where all records have the same size.
   void read_evenly_spaced(const Records& records, Columns& columns)
   {
-    std::size_t distance = 0;
-    for(std::size_t p = 0; p < columns.size(); ++p)
+    read_columns(records, columns);
+    m_numbers.advance(records.stride * records.count);
+  }
+
+  void read_columns(const Records& records, Columns& columns) const
+  {
+    std::vector<std::size_t> distances;
+    for(Column& column : columns)
     {
-      columns[p].values.resize(records.count);
-      const char* at = m_file.text.data() + records.first + distance;
-      for(std::size_t i = 0; i < records.count; ++i, at += records.stride)
-        columns[p].values[i] = binary_number(at, columns[p].type, records.order);
-      distance += size_of(columns[p].type);
+      column.values.resize(records.count);
+      std::size_t distance = 0;
+      for(int p = 0; p < column.place; ++p)
+        distance += distance_over(records.properties[std::size_t(p)], m_file.text.data() + records.first + distance, records.order);
+      distances.push_back(distance);
+    }
+    for_each_block_of_records(records.count, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t c = 0; c < columns.size(); ++c)
+      {
+        const char* at = m_file.text.data() + records.first + begin * records.stride + distances[c];
+        for(std::size_t i = begin; i < end; ++i, at += records.stride)
+          columns[c].values[i] = binary_number(at, columns[c].type, records.order);
+      }
+    });
+  }
+
+  static std::size_t distance_over(const Property& property, const char* at, Order order)
+  {
+    if(!property.is_list)
+      return size_of(property.type);
+    return size_of(property.size_type) + size_of(property.type) * std::size_t(binary_number(at, property.size_type, order));
+  }
+
+  // Binary faces with one list, of the same length in all of them. Returns false, and has read nothing, where they are not so, or
+  // where one has a vertex that does not exist.
+  bool read_even_faces(const Ply_element& element, const Property& list)
+  {
+    if(m_header.order == Order::ASCII || element.count == 0
+       || std::count_if(element.properties.begin(), element.properties.end(), [](const Property& p) { return p.is_list; }) != 1)
+      return false;
+    Records records = m_file.face_records;
+    records.first = offset();
+    records.count = element.count;
+    std::size_t before = 0;
+    for(const Property& p : element.properties)
+    {
+      before += &p < &list ? size_of(p.type) : 0;
+      if(!p.is_list)
+        records.stride += size_of(p.type);
+    }
+    records.stride += size_of(list.size_type);
+    if(before + size_of(list.size_type) > m_numbers.remaining())
+      return false;
+    const double size = binary_number(m_file.text.data() + records.first + before, list.size_type, records.order);
+    if(!(size >= 0 && size <= double(m_numbers.remaining())))
+      return false;
+    records.stride += std::size_t(size) * size_of(list.type);
+    if(element.count > m_numbers.remaining() / records.stride || !read_even_corners(records, list, before, std::size_t(size)))
+      return false;
+    if(!m_file.face_columns.empty())
+    {
+      m_file.face_records = records;
+      read_columns(records, m_file.face_columns);
     }
     m_numbers.advance(records.stride * records.count);
+    return true;
+  }
+
+  bool read_even_corners(const Records& records, const Property& list, std::size_t before, std::size_t size)
+  {
+    Polygons polygons;
+    polygons.corners.resize(size * records.count);
+    polygons.first_corner.resize(records.count + 1);
+    std::vector<char> are_good(records.count / records_of_block + 1, 1);
+    for_each_block_of_records(records.count, [&](std::size_t begin, std::size_t end) {
+      bool is_good = true;
+      for(std::size_t i = begin; i < end; ++i)
+      {
+        const char* at = m_file.text.data() + records.offset(i) + before;
+        is_good = is_good && binary_number(at, list.size_type, records.order) == double(size);
+        at += size_of(list.size_type);
+        for(std::size_t j = 0; j < size; ++j, at += size_of(list.type))
+        {
+          const double index = binary_number(at, list.type, records.order);
+          is_good = is_good && is_vertex(index);
+          polygons.corners[size * i + j] = is_good ? int(index) : 0;
+        }
+        polygons.first_corner[i + 1] = size * (i + 1);
+      }
+      are_good[begin / records_of_block] = is_good;
+    });
+    if(std::find(are_good.begin(), are_good.end(), 0) != are_good.end() || !m_file.polygons.empty())
+      return false;
+    std::swap(m_file.polygons, polygons);
+    return true;
   }
 
   // Record by record; lists but one are read over.
@@ -155,9 +240,11 @@ private:
       throw Failure(m_file.name, "the vertices have no coordinates x, y, z");
     m_file.coordinate_places = {{x->place, y->place, z->place}};
     m_file.coordinate_type = (std::max)({x->type, y->type, z->type});
-    m_file.points.reserve(element.count);
-    for(std::size_t i = 0; i < element.count; ++i)
-      m_file.points.emplace_back(x->values[i], y->values[i], z->values[i]);
+    m_file.points.resize(element.count);
+    for_each_block_of_records(element.count, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t i = begin; i < end; ++i)
+        m_file.points[i] = Point(x->values[i], y->values[i], z->values[i]);
+    });
     for(Column& column : columns)
       if(column.name != "x" && column.name != "y" && column.name != "z")
         m_file.vertex_columns.push_back(std::move(column));
@@ -171,9 +258,11 @@ private:
     return list;
   }
 
+  bool is_vertex(double index) const { return index >= 0 && index < double(m_file.points.size()) && index == double(int(index)); }
+
   int corner(double index, const Ply_element& element, std::size_t i) const
   {
-    if(!(index >= 0 && index < double(m_file.points.size())) || index != double(int(index)))
+    if(!is_vertex(index))
       throw Failure(m_file.name, element.name + " " + std::to_string(i) + " has a vertex that does not exist");
     return int(index);
   }
@@ -184,6 +273,8 @@ private:
     note_lists(element, list);
     m_file.face_columns = scalar_columns(element);
     m_file.face_records = begin_records(element);
+    if(read_even_faces(element, *list))
+      return;
     m_file.polygons.first_corner.reserve(element.count + 1);
     m_file.polygons.corners.reserve((std::min)(3 * element.count, m_numbers.remaining()));
     const auto add = [&](double x, std::size_t i) { m_file.polygons.corners.push_back(corner(x, element, i)); };

@@ -37,7 +37,8 @@ public:
     {
       for(; place < number.place; ++place)
         skip(words, records, std::size_t(place));
-      const std::string_view word = words.word();
+      std::string_view word = words.word();
+      word = word.substr(0, word.find_first_of("#\\")); // no number has them: a comment begins or the line goes on
       ++place;
       double before;
       const double value = number.value(i), x = in_range(value, number.type);
@@ -61,12 +62,12 @@ public:
 private:
   static void skip(Text_scanner& words, const Records& records, std::size_t place)
   {
-    std::size_t size = 0;
+    double size = 0;
     if(place < records.properties.size() && records.properties[place].is_list)
-      words.integer(size);
+      words.number(size);
     else
       words.word();
-    for(; size > 0; --size)
+    for(; size >= 1; --size)
       words.word();
   }
 };

@@ -126,7 +126,9 @@ private:
   void write_new_properties(const Ply_element& element)
   {
     for(const Column& column : columns(element))
-      if(column.place < 0)
+      if(column.place < 0 && element.find(column.name.c_str(), column.name.c_str()))
+        throw Failure(m_file.name, "the list '" + column.name + "' of " + element.name + " has the name of what is to be added");
+      else if(column.place < 0)
         m_text += std::string("property ") + ply_type_name(wanted(column.type)) + " " + column.name + "\n";
   }
 
@@ -183,7 +185,7 @@ private:
   void copy_list(const Property& list, const Ply_element& element, std::size_t i, Ply_numbers& numbers, Ply_body& body)
   {
     const std::size_t size = numbers.list_size(list, element, i);
-    body.add(double(size), list.size_type);
+    write_number({list.size_type}, double(size), i, numbers, body);
     for(std::size_t j = 0; j < size; ++j)
       write_number({list.type}, numbers.next(list.type, element, i), i, numbers, body);
   }
@@ -194,6 +196,8 @@ private:
     const double x = change.column ? change.column->values[i] : change.coordinate >= 0 ? m_file.points[i][change.coordinate] : before;
     if(x == before && m_order == Order::ASCII && m_header.order == Order::ASCII)
       body.add_word(numbers.last_word());
+    else if(x == before && m_header.order == Order::ASCII && !(fits(x, change.type) && in_range(x, change.type) == x))
+      throw Failure(m_file.name, "holds a number that does not fit into its type: " + std::string(numbers.last_word()));
     else
       body.add(x, change.type);
   }

@@ -8,6 +8,7 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_COMPILED_FILTERING_H
 
 #include <CGAL/Gradient_domain_processing/internal/filtering/Filter_impl.h>
+#include <CGAL/Gradient_domain_processing/internal/filtering/face_energy_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/filtering/filter_positions_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/filtering/filter_signal_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/filtering/filter_spectrum_of_signal_impl.h>

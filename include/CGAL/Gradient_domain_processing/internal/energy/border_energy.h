@@ -9,7 +9,7 @@
 
 #include <CGAL/Gradient_domain_processing/Error_code.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/Energy_weights.h>
-#include <CGAL/Gradient_domain_processing/internal/mesh/Indexed_triangles.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/border_edges.h>
 
 #include <vector>
 
@@ -18,8 +18,8 @@ namespace Gradient_domain_processing {
 namespace internal {
 
 template <class Target_field>
-Error_code displace_border(const Indexed_triangles& mesh, const Energy_weights& weights, const std::vector<char>& is_constrained,
-                           const Target_field& target, Signal& displacement);
+Error_code displace_curves(const Indexed_triangles& mesh, std::vector<Border_edge> edges, const Energy_weights& weights,
+                           const std::vector<char>& is_constrained, const Target_field& target, Signal& displacement);
 
 } // namespace internal
 } // namespace Gradient_domain_processing

@@ -16,12 +16,13 @@
 #include <CGAL/Gradient_domain_processing/internal/separate_compilation.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// The one-dimensional problem on the border curves: the energy with lengths in place of areas and the derivative along the border
+// The one-dimensional problem on curves, such as the border: the energy with lengths in place of areas and the derivative along the curve
 // in place of the gradient, (alpha M_1 + beta S_1) (g - f) = beta (D_1 v - S_1 f).
 class Border_energy
 {
@@ -32,9 +33,10 @@ class Border_energy
   Degrees_of_freedom m_dofs;
 
 public:
-  // Only border vertices that are not constrained move.
-  Border_energy(const Indexed_triangles& mesh, const Energy_weights& weights, const std::vector<char>& is_constrained)
-    : m_mesh(mesh), m_weights(weights), m_edges(border_edges(mesh))
+  // Only vertices of the edges that are not constrained move.
+  Border_energy(const Indexed_triangles& mesh, std::vector<Border_edge> edges, const Energy_weights& weights,
+                const std::vector<char>& is_constrained)
+    : m_mesh(mesh), m_weights(weights), m_edges(std::move(edges))
   {
     double longest = 0;
     std::vector<char> is_free(mesh.points.size(), 0);
@@ -53,7 +55,7 @@ public:
 
   const std::vector<Border_edge>& edges() const { return m_edges; }
 
-  // The change of the border vertices, in their rows of `displacement`; the others stay.
+  // The change of these vertices, in their rows of `displacement`; the others stay.
   template <class Target_field>
   Error_code displace(const Target_field& target, Signal& displacement) const
   {
@@ -124,10 +126,10 @@ private:
 };
 
 template <class Target_field>
-Error_code displace_border(const Indexed_triangles& mesh, const Energy_weights& weights, const std::vector<char>& is_constrained,
-                           const Target_field& target, Signal& displacement)
+Error_code displace_curves(const Indexed_triangles& mesh, std::vector<Border_edge> edges, const Energy_weights& weights,
+                           const std::vector<char>& is_constrained, const Target_field& target, Signal& displacement)
 {
-  const Border_energy energy(mesh, weights, is_constrained);
+  const Border_energy energy(mesh, std::move(edges), weights, is_constrained);
   if(has_floating_border(mesh, energy.edges(), weights, is_constrained))
     return error_unconstrained;
   return energy.displace(target, displacement);

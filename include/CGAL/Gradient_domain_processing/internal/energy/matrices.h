@@ -13,6 +13,7 @@
 #include <CGAL/Gradient_domain_processing/internal/filtering/read_parameters.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/point_map.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/read_graph.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/read_soup.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 
@@ -35,24 +36,46 @@ struct Matrix_input
   bool parallel = true;
 };
 
-template <class TriangleMesh, class NamedParameters>
-Error_code read_matrix_input(const TriangleMesh& tm, const NamedParameters& np, Matrix_input& input)
+// Numbers are those of the index maps, or the indices of a soup.
+template <class Graph, class NamedParameters>
+void number_elements(const Graph& graph, const Surface_elements<Graph>& elements, const NamedParameters& np, Matrix_input& input)
+{
+  const auto vertex_index_map = CGAL::get_initialized_vertex_index_map(graph, np);
+  for(auto v : elements.vertices)
+    input.vertex_index.push_back(int(get(vertex_index_map, v)));
+  const auto face_index_map = CGAL::get_initialized_face_index_map(graph, np);
+  for(auto f : elements.faces)
+    input.face_index.push_back(int(get(face_index_map, f)));
+}
+
+template <class PointRange, class PolygonRange, class NamedParameters>
+void number_elements(const Polygon_soup<PointRange, PolygonRange>&,
+                     const Surface_elements<Polygon_soup<PointRange, PolygonRange> >& elements, const NamedParameters&, Matrix_input& input)
+{
+  input.vertex_index.assign(elements.vertices.begin(), elements.vertices.end());
+  input.face_index.assign(elements.faces.begin(), elements.faces.end());
+}
+
+// Triangles only, unless polygons are taken as the fans around their virtual vertices.
+template <class Surface, class NamedParameters>
+Error_code read_matrix_input(const Surface& surface, const NamedParameters& np, Matrix_input& input, bool takes_polygons = false)
 {
   using namespace CGAL::internal_np;
-  Surface_elements<TriangleMesh> elements;
+  constexpr bool has_metrics = Has_parameter<face_metric_map_t, NamedParameters>::value;
+  Surface_elements<Surface> elements;
   Reading reading = reading_parameters(np);
   reading.welds = false; // matrices have a row for every vertex
   input.parallel = reading.parallel;
-  if(const Error_code code = read_surface(tm, point_map(tm, np), np, reading, elements, input.mesh))
+  if(const Error_code code = read_surface(surface, point_map(surface, np), np, reading, elements, input.mesh))
     return code;
-  if(input.mesh.virtual_vertices.size() > 0)
+  if(input.mesh.virtual_vertices.size() > 0 && (has_metrics || !takes_polygons))
     return error_non_triangular_mesh;
 
   const double squared_unit = input.mesh.unit() * input.mesh.unit();
-  input.metrics.given.reserve(elements.faces.size());
-  for(std::size_t f = 0; f < elements.faces.size(); ++f)
+  input.metrics.given.reserve(input.mesh.triangles.size());
+  for(std::size_t f = 0; f < input.mesh.triangles.size(); ++f)
   {
-    if constexpr (Has_parameter<face_metric_map_t, NamedParameters>::value)
+    if constexpr (has_metrics)
     {
       const Triangle_metric metric = get(parameter(np, face_metric_map, 0), elements.faces[f]);
       if(!metric.is_valid())
@@ -62,13 +85,7 @@ Error_code read_matrix_input(const TriangleMesh& tm, const NamedParameters& np, 
     else
       input.metrics.given.push_back(Triangle_metrics()(input.mesh, int(f)).scaled(squared_unit));
   }
-
-  const auto vertex_index_map = CGAL::get_initialized_vertex_index_map(tm, np);
-  for(auto v : elements.vertices)
-    input.vertex_index.push_back(int(get(vertex_index_map, v)));
-  const auto face_index_map = CGAL::get_initialized_face_index_map(tm, np);
-  for(auto f : elements.faces)
-    input.face_index.push_back(int(get(face_index_map, f)));
+  number_elements(surface, elements, np, input);
   return ok;
 }
 
@@ -77,35 +94,71 @@ inline int index_range(const std::vector<int>& indices)
   return indices.empty() ? 0 : 1 + *std::max_element(indices.begin(), indices.end());
 }
 
-// alpha M + beta S with a row for every index.
-template <class TriangleMesh, class NamedParameters>
-Error_code assemble_matrix(const TriangleMesh& tm, double value_weight, double gradient_weight, const NamedParameters& np,
-                           Eigen::SparseMatrix<double>& matrix)
+// Vertices by their numbers, then virtual vertices. Numbers without a vertex are those of vertices without a face, which the mesh gets:
+// rows of zeros.
+inline Degrees_of_freedom numbered_by_index(Matrix_input& input)
 {
-  Matrix_input input;
-  if(const Error_code code = read_matrix_input(tm, np, input))
-    return code;
-
-  // indices without a vertex are those of vertices without a face: rows of zeros
+  Indexed_triangles& mesh = input.mesh;
+  const int range = index_range(input.vertex_index), first_virtual = mesh.first_virtual_vertex();
   Degrees_of_freedom dofs;
   dofs.of_vertex = input.vertex_index;
-  dofs.vertex.assign(index_range(input.vertex_index), -1);
-  for(std::size_t v = 0; v < input.vertex_index.size(); ++v)
-    dofs.vertex[input.vertex_index[v]] = int(v);
+  dofs.vertex.assign(std::size_t(range), -1);
+  for(int v = 0; v < first_virtual; ++v)
+    dofs.vertex[input.vertex_index[v]] = v;
+  for(int k = 0; k < mesh.virtual_vertices.size(); ++k)
+  {
+    dofs.of_vertex.push_back(range + k);
+    dofs.vertex.push_back(first_virtual + k);
+  }
   for(int& v : dofs.vertex)
     if(v < 0)
     {
-      v = input.mesh.number_of_vertices();
-      input.mesh.points.push_back(Vec3::Zero());
-      input.mesh.corners.offsets.push_back(input.mesh.corners.offsets.back());
+      v = mesh.number_of_vertices();
+      mesh.points.push_back(Vec3::Zero());
+      mesh.corners.offsets.push_back(mesh.corners.offsets.back());
       dofs.of_vertex.push_back(int(&v - dofs.vertex.data()));
     }
+  return dofs;
+}
 
+// From the numbers of vertices to these and the virtual vertices, which are means of corners.
+inline Eigen::SparseMatrix<double> means_of_corners(const Matrix_input& input)
+{
+  const Virtual_vertices& virtual_vertices = input.mesh.virtual_vertices;
+  const int range = index_range(input.vertex_index);
+  std::vector<Eigen::Triplet<double> > entries;
+  for(int i = 0; i < range; ++i)
+    entries.emplace_back(i, i, 1.);
+  for(int k = 0; k < virtual_vertices.size(); ++k)
+    for(int at = virtual_vertices.corners.offsets[k]; at < virtual_vertices.corners.offsets[k + 1]; ++at)
+      entries.emplace_back(range + k, input.vertex_index[virtual_vertices.corners.items[at]], virtual_vertices.weights[at]);
+  Eigen::SparseMatrix<double> p(range + virtual_vertices.size(), range);
+  p.setFromTriplets(entries.begin(), entries.end());
+  return p;
+}
+
+template <class Surface, class NamedParameters>
+Error_code assemble_matrix(const Surface& surface, double value_weight, double gradient_weight, const NamedParameters& np,
+                           Eigen::SparseMatrix<double>& matrix)
+{
+  Matrix_input input;
+  if(const Error_code code = read_matrix_input(surface, np, input, true))
+    return code;
+  const bool has_polygons = input.mesh.virtual_vertices.size() > 0;
+  const Degrees_of_freedom dofs = numbered_by_index(input);
   Energy_weights weights;
   weights.value = value_weight;
   weights.gradient = gradient_weight;
-  set_pattern(sparsity_pattern(input.mesh.one_rings(input.parallel), dofs, false, input.parallel), input.parallel, matrix);
-  assemble(input.mesh, input.metrics, weights, dofs, input.parallel, matrix, false);
+  Eigen::SparseMatrix<double> assembled;
+  set_pattern(sparsity_pattern(input.mesh.one_rings(input.parallel), dofs, false, input.parallel), input.parallel, assembled);
+  assemble(input.mesh, input.metrics, weights, dofs, input.parallel, assembled, false);
+  if(has_polygons)
+  {
+    const Eigen::SparseMatrix<double> p = means_of_corners(input);
+    const Eigen::SparseMatrix<double> product = p.transpose() * Eigen::SparseMatrix<double>(assembled * p);
+    assembled = product;
+  }
+  matrix.swap(assembled);
   return ok;
 }
 

@@ -41,7 +41,9 @@ public:
   Linear_system system;
   double squared_length_unit = 1; // weights times it are in units of the arrays
   Border_condition border_condition = Border_condition::FREE;
-  std::vector<char> is_constrained; // by the caller or for a face outside of the region, not by the border condition
+  Border_condition line_condition = Border_condition::FREE; // where three triangles or more share an edge
+  std::vector<char> is_constrained; // by the caller or for a face outside of the region, not by a condition
+  std::vector<char> is_held;        // these, and those of a border or a line that is fixed
   Culprit culprit;                  // of the last error
 
 private:
@@ -63,11 +65,7 @@ public:
     return std::find(is_constrained.begin(), is_constrained.end(), 1) != is_constrained.end();
   }
 
-  bool is_moved(int v) const
-  {
-    return mesh().corners.size(v) > 0
-        && (!system.is_constrained[v] || (border_condition == Border_condition::ALONG_BORDER && !is_constrained[v]));
-  }
+  bool is_moved(int v) const { return mesh().corners.size(v) > 0 && !is_held[v]; }
 
   // gamma |hess g|^2, in units of the arrays; 0 for none
   void set_second_order(double weight, Hessian_kind kind);
@@ -102,6 +100,9 @@ public:
   void move_points(const Signal& change);
 
 private:
+  // Vertices under a condition are constrained on the surface; unless they are fixed they move with their curve.
+  void hold(Border_condition condition, const std::vector<char>& is_on_curve, std::vector<char>& constrained);
+
   // A copy for estimating curvatures: smoothed with the metric of the embedding, by vertex. The system's own metric and weights come
   // back, whatever happens.
   Error_code presmooth(double weight, Signal& signal);

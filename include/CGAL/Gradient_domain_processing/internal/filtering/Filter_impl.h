@@ -44,12 +44,22 @@ struct Filter::Scaled_difference_of_vertices
 
 CGAL_GDP_INLINE void Filter::constrain(std::vector<char> constrained)
 {
-  is_constrained = constrained;
+  is_constrained = is_held = constrained;
   if(border_condition != Border_condition::FREE)
-    for(std::size_t v = 0; v < constrained.size(); ++v)
-      if(mesh().is_on_border[v])
-        constrained[v] = 1;
+    hold(border_condition, mesh().is_on_border, constrained);
+  if(line_condition != Border_condition::FREE)
+    hold(line_condition, vertices_at(line_edges(mesh()), mesh()), constrained);
   system.set_constrained(std::move(constrained));
+}
+
+CGAL_GDP_INLINE void Filter::hold(Border_condition condition, const std::vector<char>& is_on_curve, std::vector<char>& constrained)
+{
+  for(std::size_t v = 0; v < constrained.size(); ++v)
+    if(is_on_curve[v])
+    {
+      constrained[v] = 1;
+      is_held[v] = is_held[v] || condition == Border_condition::FIXED;
+    }
 }
 
 CGAL_GDP_INLINE void Filter::set_second_order(double weight, Hessian_kind kind)
@@ -124,10 +134,16 @@ CGAL_GDP_INLINE Error_code Filter::estimate(const Curvature_options& options, st
 template <class Target_field>
 Error_code Filter::solve(const Target_field& target, Signal& change)
 {
-  if(border_condition != Border_condition::ALONG_BORDER)
+  std::vector<Border_edge> edges;
+  if(border_condition == Border_condition::ALONG_BORDER)
+    edges = border_edges(mesh());
+  if(line_condition == Border_condition::ALONG_BORDER)
+    for(const Border_edge& e : line_edges(mesh()))
+      edges.push_back(e);
+  if(edges.empty())
     return system.solve(target, *m_progress, change);
   change.setZero(mesh().number_of_vertices(), target.channels());
-  if(const Error_code code = displace_border(mesh(), system.weights(), is_constrained, target, change))
+  if(const Error_code code = displace_curves(mesh(), std::move(edges), system.weights(), is_held, target, change))
     return code;
   return system.solve(target, *m_progress, change, true);
 }

@@ -43,10 +43,11 @@ Error_code denoise_positions(Solver solver, PointMap point_map, const NamedParam
     return solver.error();
   Denoising_summary summary;
   auto& filter = solver.arrays();
+  if(filter.line_condition == Border_condition::ALONG_BORDER)
+    return error_invalid_parameter; // lines are no curves of their own here
   const Error_code code = move_positions(solver, point_map, np, [&](const auto& end_of_pass) {
     const Denoising_options options = denoising_options(np);
-    const std::vector<char>& is_constrained = options.border_is_smoothed_as_curve ? filter.is_constrained : filter.system.is_constrained;
-    const Error_code result = denoise_points(filter.mesh(), is_constrained, options, filter.system.parallel, solver.progress(),
+    const Error_code result = denoise_points(filter.mesh(), filter.is_held, options, filter.system.parallel, solver.progress(),
                                              filter.system.mesh.points, summary);
     return result == ok ? end_of_pass() : result;
   }, filter.encloses_volume());

@@ -8,12 +8,12 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FACE_SIGNALS_H
 
 #include <CGAL/Gradient_domain_processing/Signal_traits.h>
-#include <CGAL/Gradient_domain_processing/internal/denoising/filter_face_signal.h>
 #include <CGAL/Gradient_domain_processing/internal/filtering/Filter.h>
+#include <CGAL/Gradient_domain_processing/internal/filtering/face_energy.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -33,7 +33,7 @@ Error_code read_face_signal(Solver& solver, InMap in, Signal& signal)
     {
       signal(Eigen::Index(f), i) = Traits::channel(value, i);
       if(!std::isfinite(signal(Eigen::Index(f), i)))
-        {
+      {
         solver.arrays().culprit.face = int(f);
         return solver.checked(error_invalid_signal);
       }
@@ -55,7 +55,7 @@ Error_code write_face_signal(Solver& solver, const Signal& signal, OutMap out)
     values.push_back(Traits::make(signal.row(Eigen::Index(f)).data()));
     for(int i = 0; i < Traits::dimension; ++i)
       if(!std::isfinite(Traits::channel(values.back(), i)))
-        {
+      {
         solver.arrays().culprit.face = int(f);
         return solver.checked(error_result_out_of_range);
       }
@@ -65,52 +65,61 @@ Error_code write_face_signal(Solver& solver, const Signal& signal, OutMap out)
   return ok;
 }
 
-// The length of an edge divided by the distance of the centroids of its faces.
-inline double default_edge_weight(const Indexed_triangles& mesh, int f, int g, int v, int w)
+// The weight of an edge between two faces: the caller's, or that of the geometry; negative if the caller's is none.
+template <class Solver, class Surface, class NamedParameters>
+double edge_weight(Solver& solver, const Surface& surface, const std::vector<Vec3>& centers, int f, int i, int g, const NamedParameters& np)
 {
-  const auto center = [&](int h) {
-    const auto& t = mesh.triangles[h];
-    return Vec3((mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3);
-  };
-  const double length = (mesh.points[v] - mesh.points[w]).norm();
-  return length / (std::max)((center(f) - center(g)).norm(), degeneracy_ratio * (length > 0 ? length : 1.));
+  const Indexed_triangles& mesh = solver.arrays().system.mesh;
+  const std::array<int, 2> rows = edge_of_lower(mesh, f, i, g);
+  if constexpr (Has_parameter<CGAL::internal_np::interior_edge_weight_map_t, NamedParameters>::value)
+  {
+    const auto h = halfedge(solver.elements().vertices[rows[0]], solver.elements().vertices[rows[1]], surface).first;
+    const double weight = CGAL::to_double(get(parameter(np, CGAL::internal_np::interior_edge_weight_map, 0), edge(h, surface)));
+    return is_weight(weight) ? weight : -1;
+  }
+  else
+    return default_edge_weight(mesh.points[mesh.vertex_of(rows[0])], mesh.points[mesh.vertex_of(rows[1])],
+                               centers[mesh.face_of((std::min)(f, g))], centers[mesh.face_of((std::max)(f, g))]);
 }
 
 template <class Solver, class Surface, class NamedParameters>
-Error_code read_face_energy(Solver& solver, const Surface& surface, const Dual_graph& dual, const NamedParameters& np, Face_energy& energy)
+Error_code read_face_energy(Solver& solver, const Surface& surface, const NamedParameters& np, Face_energy& energy)
 {
-  namespace tag = CGAL::internal_np;
   const Indexed_triangles& mesh = solver.arrays().system.mesh;
   const Energy_weights& weights = solver.arrays().system.weights();
-  const std::size_t n = mesh.triangles.size();
-  energy.values.resize(n);
-  energy.scales.resize(n);
-  energy.gradients.assign(n, {{0, 0, 0}});
+  const Dual_graph dual(mesh, solver.arrays().system.parallel);
+  const std::size_t n = solver.elements().faces.size();
+  const std::vector<Vec3> centers = face_centers(mesh, n);
+  energy.values.assign(n, 0.);
+  energy.scales.assign(n, 0.);
+  count_neighbors(mesh, dual, energy);
+  std::vector<int> next(energy.first_neighbor.begin(), energy.first_neighbor.end() - 1);
   for(int f = 0; f < dual.size(); ++f)
   {
-    const double area = solver.arrays().system.metric(f).area();
-    energy.values[f] = weights.value * (area > 0 ? area : 1.); // a face shrunk to a point has no area, but a value
-    energy.scales[f] = weights.scale_at(f);
+    const int face = mesh.face_of(f);
+    energy.values[face] += weights.value * solver.arrays().system.metric(f).area();
+    energy.scales[face] = weights.scale_at(f);
     for(int i = 0; i < 3; ++i)
     {
-      const int g = dual.neighbor(f, i), v = mesh.triangles[f][i], w = mesh.triangles[f][(i + 1) % 3];
-      if(g < 0)
+      const int g = dual.neighbor(f, i);
+      if(g < 0 || mesh.face_of(g) == face)
         continue;
-      double weight;
-      if constexpr (Has_parameter<tag::interior_edge_weight_map_t, NamedParameters>::value)
+      const double weight = edge_weight(solver, surface, centers, f, i, g, np);
+      if(weight < 0)
       {
-        const auto h = halfedge(solver.elements().vertices[v], solver.elements().vertices[w], surface).first;
-        weight = CGAL::to_double(get(parameter(np, tag::interior_edge_weight_map, 0), edge(h, surface)));
-        if(!(weight >= 0) || !std::isfinite(weight))
-        {
-          solver.arrays().culprit.face = f;
-          return solver.checked(error_invalid_weight);
-        }
+        solver.arrays().culprit.face = face;
+        return solver.checked(error_invalid_weight);
       }
-      else
-        weight = default_edge_weight(mesh, (std::min)(f, g), (std::max)(f, g), v, w);
-      energy.gradients[f][i] = (weights.gradient_at(f) + weights.gradient_at(g)) / 2 * weight;
+      energy.neighbors[next[face]++] = {mesh.face_of(g), (weights.gradient_at(f) + weights.gradient_at(g)) / 2 * weight};
     }
+  }
+  for(std::size_t f = 0; f < n; ++f)
+  {
+    if(!(energy.values[f] > 0))
+      energy.values[f] = weights.value; // a face shrunk to a point has no area, but a value
+    double diagonal = energy.values[f];
+    energy.for_each_neighbor(int(f), [&](const Face_energy::Neighbor& g) { diagonal += g.weight; });
+    energy.inverse_diagonal.push_back(1 / diagonal);
   }
   return ok;
 }
@@ -126,20 +135,15 @@ Error_code process_face_signal(Solver solver, const Surface& surface, InMap in, 
   if(solver.arrays().system.weights().value == 0)
     return error_unconstrained;
 
-  if(solver.arrays().mesh().virtual_vertices.size() > 0)
-    return error_non_triangular_mesh;
-
-  const bool parallel = solver.arrays().system.parallel;
-  const Dual_graph dual(solver.arrays().system.mesh, parallel);
   Signal signal;
   if(const Error_code code = read_face_signal(solver, in, signal))
     return code;
   Face_energy energy;
-  if(const Error_code code = read_face_energy(solver, surface, dual, np, energy))
+  if(const Error_code code = read_face_energy(solver, surface, np, energy))
     return code;
   {
     Stage_scope stage(solver.progress(), Stage::SOLVE);
-    if(const Error_code code = filter_face_signal(dual, std::move(energy), parallel, solver.progress(), signal))
+    if(const Error_code code = filter_face_signal(energy, solver.arrays().system.parallel, solver.progress(), signal))
       return code;
   }
   return write_face_signal(solver, signal, out);

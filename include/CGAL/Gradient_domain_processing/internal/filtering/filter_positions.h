@@ -28,7 +28,7 @@ Error_code filter_positions(Solver solver, PointMap point_map, double default_sc
   if(iterations < 0 || order < 1)
     return error_invalid_parameter;
   if(!Has_parameter<gradient_scale_t, NamedParameters>::value && !Has_parameter<face_gradient_scale_map_t, NamedParameters>::value)
-    solver.set_gradient_scale(default_scale);
+    solver.arrays().system.set_scale(default_scale);
 
   return move_positions(solver, point_map, np, [&](const auto& end_of_pass) {
     for(int i = 0; i < iterations; ++i)

@@ -119,6 +119,7 @@ void read_constraints(const NamedParameters& np, const Surface_elements<Surface>
         is_constrained[filter.mesh().vertex_of(int(row))] = 1;
   }
   filter.border_condition = parameter(np, border_condition, Border_condition::FREE);
+  filter.line_condition = parameter(np, non_manifold_condition, Border_condition::FREE);
   filter.constrain(std::move(is_constrained));
 }
 

@@ -44,6 +44,11 @@ void for_each_border_corner(const Indexed_triangles& mesh, int vertex, const Vis
 
 std::vector<Border_edge> border_edges(const Indexed_triangles& mesh);
 
+// Edges with three triangles or more, where sheets meet in a line: each once, as its first triangle has it.
+std::vector<Border_edge> line_edges(const Indexed_triangles& mesh);
+
+std::vector<char> vertices_at(const std::vector<Border_edge>& edges, const Indexed_triangles& mesh);
+
 // A vertex is on the border if an edge of one triangle leaves it or arrives at it.
 void mark_border(Indexed_triangles& mesh, bool parallel);
 

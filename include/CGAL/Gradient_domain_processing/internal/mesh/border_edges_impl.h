@@ -26,6 +26,37 @@ CGAL_GDP_INLINE std::vector<Border_edge> border_edges(const Indexed_triangles& m
   return edges;
 }
 
+// The first triangle with an edge.
+inline int first_triangle_at_edge(const Indexed_triangles& mesh, int vertex, int other)
+{
+  const int* c = mesh.corners.begin(vertex);
+  for(; c != mesh.corners.end(vertex); ++c)
+    if(const auto ends = mesh.opposite_vertices(*c); ends[0] == other || ends[1] == other)
+      break;
+  return *c / 3;
+}
+
+CGAL_GDP_INLINE std::vector<Border_edge> line_edges(const Indexed_triangles& mesh)
+{
+  std::vector<Border_edge> edges;
+  for(int f = 0; f < mesh.number_of_triangles(); ++f)
+    for(int i = 0; i < 3; ++i)
+    {
+      const int v = mesh.triangles[f][i], w = mesh.triangles[f][(i + 1) % 3];
+      if(v != w && number_of_triangles_at_edge(mesh, v, w) > 2 && first_triangle_at_edge(mesh, v, w) == f)
+        edges.push_back({f, i, (i + 1) % 3});
+    }
+  return edges;
+}
+
+CGAL_GDP_INLINE std::vector<char> vertices_at(const std::vector<Border_edge>& edges, const Indexed_triangles& mesh)
+{
+  std::vector<char> is_at(mesh.points.size(), 0);
+  for(const Border_edge& e : edges)
+    is_at[mesh.triangles[e.triangle][e.from]] = is_at[mesh.triangles[e.triangle][e.to]] = 1;
+  return is_at;
+}
+
 CGAL_GDP_INLINE void mark_border(Indexed_triangles& mesh, bool parallel)
 {
   mesh.is_on_border.assign(mesh.points.size(), 0);

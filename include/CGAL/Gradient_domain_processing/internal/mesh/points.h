@@ -48,10 +48,14 @@ template <class Point>
 Point to_point(const Vec3& p)
 {
   if constexpr (Has_subscript<Point>::value)
+  {
+    static_assert(Signal_traits<Point>::dimension == 3, "Signal_traits says how points that have an operator[] are made of three coordinates");
     return Signal_traits<Point>::make(p.data());
+  }
   else
   {
     typedef typename std::decay<decltype(std::declval<const Point&>().x())>::type Coordinate;
+    static_assert(std::is_constructible<Point, Coordinate, Coordinate, Coordinate>::value, "points can be made from three coordinates");
     return Point(Coordinate(p[0]), Coordinate(p[1]), Coordinate(p[2]));
   }
 }

@@ -1,0 +1,127 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Failure.h"
+#include "filter_parts.h"
+#include "normals.h"
+
+#include <CGAL/Gradient_domain_processing/fair.h>
+#include <CGAL/Gradient_domain_processing/filter_spectrum.h>
+#include <CGAL/Gradient_domain_processing/spectrum.h>
+
+// The operations that are not of the paper: fair patches, bands of waves, harmonics.
+namespace {
+
+using namespace filter_mesh_impl;
+
+GDP::Spectral_filter spectral_filter(const Options& o)
+{
+  const double a = o.wavelengths.front(), b = o.wavelengths.back();
+  switch(o.operation)
+  {
+    case Operation::LOW_PASS: return GDP::Spectral_filter::low_pass(a, o.filter_order);
+    case Operation::HIGH_PASS: return GDP::Spectral_filter::high_pass(a, o.filter_order);
+    case Operation::BAND_PASS: return GDP::Spectral_filter::band_pass(a, b, o.filter_order);
+    default: return GDP::Spectral_filter::band_stop(a, b, o.filter_order);
+  }
+}
+
+// Filters what the options name as signal by filtered(values), for all of its channels.
+template <class Filtered>
+Error_code filter_signal(const Options& options, Mesh_file& file, const Filtered& filtered)
+{
+  if(options.signal == Signal_kind::NORMAL)
+  {
+    std::vector<Three_channels> normals = normal_signal(options, file);
+    const Error_code code = filtered(normals);
+    if(code == GDP::ok)
+      set_normal_signal(options, normals, file);
+    return code;
+  }
+  if(options.signal == Signal_kind::COLOR)
+  {
+    std::vector<Three_channels> colors = color_signal(options, file);
+    const Error_code code = filtered(colors);
+    if(code == GDP::ok)
+      set_color_signal(colors, {}, file);
+    return code;
+  }
+  if(options.signal == Signal_kind::PROPERTY)
+  {
+    Property_signal signal = property_signal(options, file);
+    if(signal.is_at_faces)
+      throw Failure(options.input_name(), "--operation " + options.operation_name + " works on signals of vertices, and '"
+                                            + options.signal_name + "' is one of faces");
+    for(std::vector<double>& values : signal.values)
+      if(const Error_code code = filtered(values))
+        return code;
+    signal.set();
+    return GDP::ok;
+  }
+  std::vector<Three_channels> positions;
+  for(const Point& p : file.points)
+    positions.push_back({{p.x(), p.y(), p.z()}});
+  if(const Error_code code = filtered(positions))
+    return code;
+  for(std::size_t v = 0; v < positions.size(); ++v)
+    file.points[v] = Point(positions[v][0], positions[v][1], positions[v][2]);
+  return GDP::ok;
+}
+
+} // namespace
+
+Error_code fair_mesh(const Options& options, Mesh_file& file, Stage_clock& clock, Filter_facts& facts)
+{
+  Filter_input input(options, file);
+  std::vector<std::size_t> region;
+  const std::vector<double>& selected = vertex_property(options, file, options.region_vertices_property);
+  for(std::size_t v = 0; v < selected.size(); ++v)
+    if(selected[v] != 0)
+      region.push_back(v);
+  if(region.empty())
+    facts.why_unchanged = "the region is empty: no vertex has another " + options.region_vertices_property + " than 0";
+  facts.solver = "cholesky";
+  return GDP::fair(region, file.points, file.polygons, common_parameters(options, input, clock, GDP::Default_sparse_linear_solver()));
+}
+
+Error_code filter_bands(const Options& options, Mesh_file& file, Stage_clock& clock, Filter_facts& facts)
+{
+  Filter_input input(options, file);
+  const auto np = common_parameters(options, input, clock, GDP::Default_sparse_linear_solver())
+    .curvature_metric_kind(options.metric)
+    .curvature_weight(options.curvature_weight)
+    .curvature_estimator(options.curvature)
+    .jet_degree(options.jet_degree)
+    .presmoothing_weight(options.presmoothing_weight);
+  facts.solver = "cholesky";
+  const GDP::Spectral_filter filter = spectral_filter(options);
+  return in_region(input, facts, [&](const auto&... faces) {
+    return filter_signal(options, file, [&](auto& values) {
+      const Array_map<typename std::decay_t<decltype(values)>::value_type> map{&values};
+      return GDP::filter_spectrum(faces..., file.points, file.polygons, map, map, filter, np);
+    });
+  });
+}
+
+Error_code write_spectrum(const Options& options, Mesh_file& file, Filter_facts& facts)
+{
+  Filter_input input(options, file);
+  Eigen::VectorXd eigenvalues;
+  Eigen::MatrixXd harmonics;
+  const auto np = GDP::parameters::vertex_is_constrained_map(Array_map<char>{&input.is_constrained});
+  facts.solver = "cholesky";
+  if(const Error_code code = GDP::spectrum(file.points, file.polygons, options.number_of_harmonics, eigenvalues, harmonics, np))
+    return code;
+  facts.eigenvalues.assign(eigenvalues.data(), eigenvalues.data() + eigenvalues.size());
+  for(int k = 0; k < int(harmonics.cols()); ++k)
+  {
+    Column& column = file.vertex_columns.find_or_add("harmonic_" + std::to_string(k), Number_type::DOUBLE, file.points.size());
+    for(std::size_t v = 0; v < file.points.size(); ++v)
+      column.values[v] = Eigen::Index(v) < harmonics.rows() ? harmonics(Eigen::Index(v), k) : 0.;
+    column.is_changed = true;
+  }
+  return GDP::ok;
+}
