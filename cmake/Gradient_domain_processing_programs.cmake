@@ -17,16 +17,36 @@ function(gradient_domain_processing_link target)
   endif()
 endfunction()
 
-# gradient_domain_processing_programs(<kind> [EXCEPT <source>...] [HEADER_ONLY <source>...] [WORKING_DIRECTORY <dir>] [OPTIONS <flag>...])
+# Less optimized they compile faster; what takes their time is the library's, which is optimized.
+set(CGAL_GDP_TEST_FLAGS -O1 CACHE STRING "Compiler flags of the tests and examples, after all others")
+set(gradient_domain_processing_test_flags)
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
+  set(gradient_domain_processing_test_flags ${CGAL_GDP_TEST_FLAGS})
+endif()
+
+# The precompiled header of tests and examples, and what it declares.
+function(gradient_domain_processing_precompile target)
+  if(NOT TARGET gradient_domain_processing_precompiled)
+    add_library(gradient_domain_processing_precompiled STATIC EXCLUDE_FROM_ALL ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/polygon_mesh_io.cpp)
+    set_target_properties(gradient_domain_processing_precompiled PROPERTIES CXX_EXTENSIONS OFF)
+    target_compile_options(gradient_domain_processing_precompiled PRIVATE ${gradient_domain_processing_test_flags})
+    target_precompile_headers(gradient_domain_processing_precompiled PRIVATE "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/precompiled.h")
+    gradient_domain_processing_link(gradient_domain_processing_precompiled PRIVATE)
+  endif()
+  target_precompile_headers(${target} REUSE_FROM gradient_domain_processing_precompiled)
+  target_link_libraries(${target} PRIVATE gradient_domain_processing_precompiled)
+endfunction()
+
+# gradient_domain_processing_programs(<kind> [EXCEPT <source>...] [HEADER_ONLY <source>...] [WORKING_DIRECTORY <dir>])
 #
 # Every *.cpp in the current folder becomes a program of its name and, unless the kind is benchmark, a CTest test
 # <kind>/<name> that runs it. Targets are <kind>_<name>, so that a test and an example may share a name; a name that
-# begins so already stays as it is. Programs of one kind share a precompiled header of other libraries' headers, but not of ours,
-# whose includes shall be seen to be complete. HEADER_ONLY: programs that do not link the compiled library. (CMAKE_DISABLE_PRECOMPILE_HEADERS switches it off.)
+# begins so already stays as it is. Tests and examples share a precompiled header of other libraries' headers, but not of ours,
+# whose includes shall be seen to be complete (CMAKE_DISABLE_PRECOMPILE_HEADERS switches it off). Those that are HEADER_ONLY do not: they link
+# nothing that is compiled separately.
 function(gradient_domain_processing_programs kind)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "WORKING_DIRECTORY" "EXCEPT;HEADER_ONLY;OPTIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "WORKING_DIRECTORY" "EXCEPT;HEADER_ONLY")
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
-  set(first_target)
   foreach(source IN LISTS sources)
     get_filename_component(file ${source} NAME)
     get_filename_component(name ${source} NAME_WE)
@@ -39,20 +59,15 @@ function(gradient_domain_processing_programs kind)
     endif()
     add_executable(${target} ${source})
     set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name} CXX_EXTENSIONS OFF)
-    target_compile_options(${target} PRIVATE ${arg_OPTIONS})
     if(file IN_LIST arg_HEADER_ONLY)
       target_link_libraries(${target} PRIVATE CGAL::Gradient_domain_processing)
     else()
       gradient_domain_processing_link(${target} PRIVATE)
     endif()
     if(NOT kind STREQUAL "benchmark")
-      if(file IN_LIST arg_HEADER_ONLY)
-        # a precompiled header is one of the same definitions
-      elseif(first_target)
-        target_precompile_headers(${target} REUSE_FROM ${first_target})
-      else()
-        target_precompile_headers(${target} PRIVATE "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/precompiled.h")
-        set(first_target ${target})
+      target_compile_options(${target} PRIVATE ${gradient_domain_processing_test_flags})
+      if(NOT file IN_LIST arg_HEADER_ONLY)
+        gradient_domain_processing_precompile(${target})
       endif()
       add_test(NAME ${kind}/${name} COMMAND ${target} WORKING_DIRECTORY ${arg_WORKING_DIRECTORY})
       set_tests_properties(${kind}/${name} PROPERTIES TIMEOUT 900)

@@ -9,6 +9,9 @@
 
 // What is not a template is defined in X_impl.h beside X.h, which includes it: unless CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED is
 // defined. Then a program compiles declarations only, and links with the definitions, which are compiled once.
+//
+// What takes long to compile and few programs use is a template all the same, of `void`: so that without a library it is compiled where it
+// is called only.
 #ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
 #define CGAL_GDP_INLINE
 #else

@@ -17,6 +17,7 @@ namespace Gradient_domain_processing {
 namespace internal {
 
 // At the vertices, by jets. A template, as what is made of it, so that only programs that fit jets compile them. False: cancelled.
+template <class Void = void>
 bool vertex_curvatures_by_jets(const Indexed_triangles& mesh, const std::vector<Vec3>& points, const std::vector<Vec3>& normals,
                                int jet_degree, bool parallel, const std::function<bool(double)>& go_on,
                                std::vector<Principal_curvatures>& curvatures);

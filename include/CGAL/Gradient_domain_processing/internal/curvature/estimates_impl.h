@@ -20,9 +20,10 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-CGAL_GDP_INLINE bool vertex_curvatures_by_jets(const Indexed_triangles& mesh, const std::vector<Vec3>& points, const std::vector<Vec3>& normals,
-                                               int jet_degree, bool parallel, const std::function<bool(double)>& go_on,
-                                               std::vector<Principal_curvatures>& curvatures)
+template <class Void>
+bool vertex_curvatures_by_jets(const Indexed_triangles& mesh, const std::vector<Vec3>& points, const std::vector<Vec3>& normals,
+                               int jet_degree, bool parallel, const std::function<bool(double)>& go_on,
+                               std::vector<Principal_curvatures>& curvatures)
 {
   const Lists rings = mesh.one_rings(parallel);
   return jet_curvatures(parallel, points, rings.offsets, rings.items, normals, jet_degree, go_on, curvatures);
@@ -56,6 +57,12 @@ CGAL_GDP_INLINE std::vector<Principal_curvatures> triangle_curvatures_by_normals
   });
   return curvatures;
 }
+
+#ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+template bool vertex_curvatures_by_jets<>(const Indexed_triangles& mesh, const std::vector<Vec3>& points, const std::vector<Vec3>& normals,
+                                         int jet_degree, bool parallel, const std::function<bool(double)>& go_on,
+                                         std::vector<Principal_curvatures>& curvatures);
+#endif
 
 } // namespace internal
 } // namespace Gradient_domain_processing

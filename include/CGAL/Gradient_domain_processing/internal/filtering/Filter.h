@@ -77,9 +77,11 @@ public:
   Error_code set_curvature_metric(const std::vector<Principal_curvatures>& curvatures, const Stretch& stretch);
 
   // At the vertices, by jets fitted to presmoothed positions.
+  template <class Void = void>
   Error_code estimate_by_jets(const Curvature_options& options, std::vector<Principal_curvatures>& curvatures);
 
   // At the triangles.
+  template <class Void = void>
   Error_code estimate(const Curvature_options& options, std::vector<Principal_curvatures>& curvatures);
 
   // The change of every vertex.
@@ -89,6 +91,7 @@ public:
   // Adds a change to the rows of all vertices: those of a seam go on differing as they did.
   void add(const Signal& change, Signal& signal) const;
 
+  template <class Void = void>
   Error_code filter(Signal& signal);
 
   // One pass over the positions in the arrays.
@@ -105,6 +108,7 @@ private:
 
   // A copy for estimating curvatures: smoothed with the metric of the embedding, by vertex. The system's own metric and weights come
   // back, whatever happens.
+  template <class Void = void>
   Error_code presmooth(double weight, Signal& signal);
 
   struct Scaled_difference_of_vertices;

@@ -12,12 +12,15 @@
 #include <CGAL/Gradient_domain_processing/internal/energy/Linear_system_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/border_energy.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/border_energy_impl.h>
-#include <CGAL/Gradient_domain_processing/internal/energy/target_field/Given_gradient.h>
-#include <CGAL/Gradient_domain_processing/internal/energy/target_field/Normal_fit.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/target_field/Scaled_gradient.h>
-#include <CGAL/Gradient_domain_processing/internal/energy/target_field/Seam.h>
 #include <CGAL/Gradient_domain_processing/internal/higher_order/hessian_energy.h>
 #include <CGAL/Gradient_domain_processing/internal/separate_compilation.h>
+
+#ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+#include <CGAL/Gradient_domain_processing/internal/energy/target_field/Given_gradient.h>
+#include <CGAL/Gradient_domain_processing/internal/energy/target_field/Normal_fit.h>
+#include <CGAL/Gradient_domain_processing/internal/energy/target_field/Seam.h>
+#endif
 
 namespace CGAL {
 namespace Gradient_domain_processing {
@@ -96,7 +99,8 @@ CGAL_GDP_INLINE Error_code Filter::set_curvature_metric(const std::vector<Princi
   return ok;
 }
 
-CGAL_GDP_INLINE Error_code Filter::estimate_by_jets(const Curvature_options& options, std::vector<Principal_curvatures>& curvatures)
+template <class Void>
+Error_code Filter::estimate_by_jets(const Curvature_options& options, std::vector<Principal_curvatures>& curvatures)
 {
   Signal positions = as_signal(mesh().points);
   if(const Error_code code = presmooth(options.presmoothing_weight, positions))
@@ -111,7 +115,8 @@ CGAL_GDP_INLINE Error_code Filter::estimate_by_jets(const Curvature_options& opt
   return is_done ? ok : error_cancelled;
 }
 
-CGAL_GDP_INLINE Error_code Filter::estimate(const Curvature_options& options, std::vector<Principal_curvatures>& curvatures)
+template <class Void>
+Error_code Filter::estimate(const Curvature_options& options, std::vector<Principal_curvatures>& curvatures)
 {
   if(options.estimator == Curvature_estimator::JETS)
   {
@@ -157,7 +162,8 @@ CGAL_GDP_INLINE void Filter::add(const Signal& change, Signal& signal) const
       signal.row(row) += change.row(mesh().vertex_of(row));
 }
 
-CGAL_GDP_INLINE Error_code Filter::filter(Signal& signal)
+template <class Void>
+Error_code Filter::filter(Signal& signal)
 {
   Signal change;
   if(const Error_code code = solve(Scaled_gradient(mesh(), system.weights(), signal), change))
@@ -187,7 +193,8 @@ CGAL_GDP_INLINE void Filter::move_points(const Signal& change)
     points[v] += change.row(Eigen::Index(v)).transpose();
 }
 
-CGAL_GDP_INLINE Error_code Filter::presmooth(double weight, Signal& signal)
+template <class Void>
+Error_code Filter::presmooth(double weight, Signal& signal)
 {
   if(weight == 0)
     return ok;
@@ -199,7 +206,7 @@ CGAL_GDP_INLINE Error_code Filter::presmooth(double weight, Signal& signal)
     Other_coefficients(Linear_system& s, Coefficients other) : system(s), own(s.exchange_coefficients(std::move(other))) {}
     ~Other_coefficients() { system.exchange_coefficients(std::move(own)); }
   };
-  Other_coefficients::Coefficients other;
+  Linear_system::Coefficients other;
   other.weights.gradient = weight;
   const Other_coefficients scope(system, std::move(other));
   Signal change;
@@ -210,6 +217,9 @@ CGAL_GDP_INLINE Error_code Filter::presmooth(double weight, Signal& signal)
 }
 
 #ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+template Error_code Filter::estimate_by_jets<>(const Curvature_options& options, std::vector<Principal_curvatures>& curvatures);
+template Error_code Filter::estimate<>(const Curvature_options& options, std::vector<Principal_curvatures>& curvatures);
+template Error_code Filter::filter<>(Signal& signal);
 template Error_code Linear_system::solve(const Scaled_gradient&, Progress&, Signal&, bool);
 template Error_code Filter::solve(const Scaled_gradient&, Signal&);
 template Error_code Filter::solve(const Given_gradient&, Signal&);

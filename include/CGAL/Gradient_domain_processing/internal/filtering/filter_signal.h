@@ -14,10 +14,12 @@ namespace Gradient_domain_processing {
 namespace internal {
 
 // So many passes.
+template <class Void = void>
 Error_code filter_repeatedly(int number_of_iterations, Filter& filter, Signal& signal);
 
 // Fills missing values in first, by the energy without a value weight, all others constrained: as smoothly as the metric has it. No
 // gradient is asked for on their faces. Constraints and weights are the caller's again afterwards, whatever happens.
+template <class Void = void>
 Error_code fill_and_filter(int number_of_iterations, Filter& filter, Signal& signal);
 
 template <class InMap, class OutMap, class Surface>

@@ -9,7 +9,6 @@
 
 #include <CGAL/Gradient_domain_processing/internal/filtering/filter_signal.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/target_field/Scaled_gradient.h>
-#include <CGAL/Gradient_domain_processing/internal/separate_compilation.h>
 
 #include <cmath>
 #include <cstddef>
@@ -54,7 +53,8 @@ struct Restored_system
   }
 };
 
-inline Error_code fill_missing_values(const std::vector<char>& is_missing, Filter& filter, Signal& signal)
+template <class Void = void>
+Error_code fill_missing_values(const std::vector<char>& is_missing, Filter& filter, Signal& signal)
 {
   const Restored_system scope{filter.system, filter.system.is_constrained, filter.system.weights()};
   const Indexed_triangles& mesh = filter.mesh();
@@ -81,7 +81,8 @@ inline Error_code fill_missing_values(const std::vector<char>& is_missing, Filte
   return ok;
 }
 
-CGAL_GDP_INLINE Error_code filter_repeatedly(int number_of_iterations, Filter& filter, Signal& signal)
+template <class Void>
+Error_code filter_repeatedly(int number_of_iterations, Filter& filter, Signal& signal)
 {
   Error_code code = ok;
   for(int i = 0; i < number_of_iterations && code == ok; ++i)
@@ -89,7 +90,8 @@ CGAL_GDP_INLINE Error_code filter_repeatedly(int number_of_iterations, Filter& f
   return code;
 }
 
-CGAL_GDP_INLINE Error_code fill_and_filter(int number_of_iterations, Filter& filter, Signal& signal)
+template <class Void>
+Error_code fill_and_filter(int number_of_iterations, Filter& filter, Signal& signal)
 {
   struct Restored_weights
   {
@@ -104,6 +106,11 @@ CGAL_GDP_INLINE Error_code fill_and_filter(int number_of_iterations, Filter& fil
   filter.system.set_weights(without_gradients_at(is_missing, filter.mesh(), scope.own));
   return filter_repeatedly(number_of_iterations, filter, signal);
 }
+
+#ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
+template Error_code filter_repeatedly<>(int number_of_iterations, Filter& filter, Signal& signal);
+template Error_code fill_and_filter<>(int number_of_iterations, Filter& filter, Signal& signal);
+#endif
 
 } // namespace internal
 } // namespace Gradient_domain_processing
