@@ -17,6 +17,7 @@
 
 #include <CGAL/property_map.h>
 
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -142,6 +143,28 @@ void test_failed_metrics()
   }
 }
 
+// Nor does an exception while missing values are filled in, or after, leave anything of what that needs.
+void test_failed_filling()
+{
+  const Field field;
+  const auto np = GDP::parameters::gradient_weight(1e-2).gradient_scale(2.).missing_values(true);
+  const auto expected = field.fresh(np);
+  std::vector<double> with_hole = field.in, out(field.in.size());
+  with_hole[20] = std::numeric_limits<double>::quiet_NaN();
+  int exceptions = 0;
+  for(int at = 1; at < 30; ++at)
+  {
+    Throwing_visitor visitor;
+    auto solver = GDP::make_gradient_domain_solver(field.mesh, np.visitor(std::ref(visitor)));
+    visitor.throws_at = visitor.calls + at;
+    try { GDP_CHECK(solver.filter(CGAL::make_property_map(with_hole), CGAL::make_property_map(out)) == GDP::ok); }
+    catch(const std::runtime_error&) { ++exceptions; }
+    visitor.throws_at = -1;
+    GDP_CHECK(largest_difference(field.filtered(solver), expected) < 1e-12);
+  }
+  GDP_CHECK(exceptions > 5);
+}
+
 // Constraints and weights set anew are those of a new solver.
 void test_new_constraints()
 {
@@ -172,12 +195,14 @@ struct Recording_visitor : GDP::Default_visitor
 {
   std::vector<double> parts;
   std::vector<std::string> notices;
+  std::vector<Vertex> invalid;
   bool go_on(double part)
   {
     parts.push_back(part);
     return true;
   }
   void notice(const std::string& sentence) { notices.push_back(sentence); }
+  void invalid_vertex(GDP::Error_code, Vertex v) { invalid.push_back(v); }
 };
 
 void test_progress()
@@ -278,6 +303,16 @@ void test_overflow()
   GDP_CHECK(GDP::estimate_curvatures(mesh, CGAL::make_property_map(curvatures)) == GDP::error_result_out_of_range);
   for(const Curvature& k : curvatures)
     GDP_CHECK(k.min_curvature == 17 && k.max_curvature == 17);
+
+  // a value that does not fit is blamed on its vertex
+  Recording_visitor visitor;
+  std::vector<double> in(mesh.number_of_vertices(), 1.);
+  std::vector<float> out(mesh.number_of_vertices(), 17.f);
+  in[7] = 1e300;
+  GDP_CHECK(GDP::process_signal(mesh, CGAL::make_property_map(in), CGAL::make_property_map(out),
+                                GDP::parameters::gradient_weight(0).visitor(std::ref(visitor))) == GDP::error_result_out_of_range);
+  GDP_CHECK(visitor.invalid == std::vector<Vertex>{Vertex(7)});
+  GDP_CHECK(out == std::vector<float>(mesh.number_of_vertices(), 17.f));
 }
 
 } // namespace
@@ -287,6 +322,7 @@ int main()
   test_shared_linear_solver<GDP::Default_sparse_linear_solver>();
   test_shared_linear_solver<CGAL::Eigen_solver_traits<Eigen::SimplicialLLT<Eigen::SparseMatrix<double> > > >();
   test_failed_metrics();
+  test_failed_filling();
   test_new_constraints();
   test_progress();
   test_elements();

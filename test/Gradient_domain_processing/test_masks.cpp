@@ -9,6 +9,7 @@
 #include "test_energy.h"
 #include "test_utils.h"
 
+#include <CGAL/Gradient_domain_processing/process_face_signal.h>
 #include <CGAL/Gradient_domain_processing/process_signal.h>
 
 #include <iostream>
@@ -199,11 +200,101 @@ void test_masks_of_nothing()
     GDP_CHECK(same_bits(masks.out[v], masks.in[v]));
 }
 
+// Where the value weight varies, a border that is filtered as a curve minimizes the energy of the curve: with dense matrices, and Simpson's
+// rule, which is exact for alpha times two hat functions.
+void test_varying_masks_along_border()
+{
+  Mesh mesh = mesh_of(jittered_square(7));
+  const int n = int(mesh.number_of_vertices());
+  auto alpha = mesh.add_property_map<Vertex, double>("v:alpha").first;
+  auto in = mesh.add_property_map<Vertex, double>("v:in").first, out = mesh.add_property_map<Vertex, double>("v:out").first;
+  for(Vertex v : mesh.vertices())
+  {
+    alpha[v] = 0.3 + int(v) % 4;
+    in[v] = std::sin(3. * int(v));
+  }
+  const double beta = 0.02;
+  Eigen::MatrixXd masses = Eigen::MatrixXd::Zero(n, n), stiffness = masses;
+  for(auto h : mesh.halfedges())
+  {
+    if(!mesh.is_border(h))
+      continue;
+    const Vertex ends[2] = {mesh.source(h), mesh.target(h)};
+    const double length = (vec(mesh.point(ends[1])) - vec(mesh.point(ends[0]))).norm(), middle = (alpha[ends[0]] + alpha[ends[1]]) / 2;
+    for(int i : {0, 1})
+      for(int j : {0, 1})
+      {
+        masses(int(ends[i]), int(ends[j])) += length / 6 * ((i == j ? alpha[ends[i]] : 0.) + middle);
+        stiffness(int(ends[i]), int(ends[j])) += (i == j ? 1 : -1) * beta / length;
+      }
+  }
+  Eigen::VectorXd f(n);
+  for(Vertex v : mesh.vertices())
+  {
+    f[int(v)] = in[v];
+    if(!mesh.is_border(v))
+      masses(int(v), int(v)) = 1;
+  }
+  const Eigen::VectorXd expected = (masses + stiffness).ldlt().solve(masses * f);
+  GDP_CHECK(GDP::process_signal(mesh, in, out, GDP::parameters::vertex_value_weight_map(alpha).gradient_weight(beta).area_normalization(false)
+                                                 .border_condition(GDP::Border_condition::ALONG_BORDER)) == GDP::OK);
+  for(Vertex v : mesh.vertices())
+    if(mesh.is_border(v))
+      GDP_CHECK_NEAR(out[v], expected[int(v)], 1e-12);
+}
+
+// What has neither values nor gradients to keep stays to the bit, also where the mean of the rest is set right after the solution.
+void test_rest_of_component()
+{
+  Mesh mesh = mesh_of(jittered_square(10));
+  auto alpha = mesh.add_property_map<Vertex, double>("v:alpha", 0.).first;
+  auto beta = mesh.add_property_map<Face, double>("f:beta", 0.).first;
+  auto in = mesh.add_property_map<Vertex, double>("v:in").first, out = mesh.add_property_map<Vertex, double>("v:out").first;
+  for(Vertex v : mesh.vertices())
+  {
+    in[v] = 1 + std::sin(3. * int(v)) / 3;
+    alpha[v] = mesh.point(v).x() < 0.45 ? 1e-9 : 0;
+  }
+  for(Face f : mesh.faces())
+    for(Vertex v : corners(mesh, f))
+      if(alpha[v] != 0)
+        beta[f] = 1;
+  GDP_CHECK(GDP::process_signal(mesh, in, out, GDP::parameters::vertex_value_weight_map(alpha).face_gradient_weight_map(beta)) == GDP::OK);
+  int at_rest = 0;
+  for(Vertex v : mesh.vertices())
+    if(mesh.point(v).x() > 0.7)
+    {
+      GDP_CHECK(same_bits(out[v], in[v]));
+      ++at_rest;
+    }
+    else if(mesh.point(v).x() < 0.4)
+      GDP_CHECK(out[v] != in[v]);
+  GDP_CHECK(at_rest > 10);
+}
+
+// Two faces of area a under the weight w of their edge: their difference is divided by 1 + 2 beta w / a. By default w = 3 in a square, and
+// beta is relative to the area.
+void test_two_faces()
+{
+  for(double size : {1., 7.})
+  {
+    Mesh mesh = mesh_of(square(1).scaled(size));
+    auto signal = mesh.add_property_map<Face, double>("f:signal", 0.).first;
+    signal[Face(0)] = 2;
+    GDP_CHECK(GDP::process_face_signal(mesh, signal, signal, GDP::parameters::gradient_weight(0.1)) == GDP::OK);
+    GDP_CHECK_NEAR(signal[Face(0)] + signal[Face(1)], 2, 1e-14);
+    GDP_CHECK_NEAR(signal[Face(0)] - signal[Face(1)], 2 / (1 + 2 * 0.1 * 3 / 0.5), 1e-14);
+  }
+}
+
 int main()
 {
   test_constant_masks();
   test_varying_masks();
   test_brushes();
+  test_varying_masks_along_border();
+  test_rest_of_component();
+  test_two_faces();
   test_masks_of_nothing();
   return GDP_TEST_RESULT();
 }

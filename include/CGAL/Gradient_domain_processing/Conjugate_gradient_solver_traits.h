@@ -38,7 +38,8 @@ namespace Gradient_domain_processing {
  * A solution is accepted when \f$ \|r\|_B \leq \tau \|b\|_B \f$ for the residual \f$ r \f$ and the right-hand side \f$ b \f$, with
  * \f$ \tau \f$ the tolerance and \f$ B \approx A^{-1} \f$ the preconditioner. This is about the error of the solution in the norm of the
  * energy, relative to the solution, as far as \f$ B \f$ is good. Where the maximum number of iterations does not reach it, functions of
- * this package return `error_not_converged`.
+ * this package solve by `Default_sparse_linear_solver` and tell the visitor in a notice; with more than a million degrees of
+ * freedom, for which a factor may be too large, they return `error_not_converged`.
  *
  * Copies share their state: the object whose copy is passed to a function has the numbers of iterations afterwards.
  *
@@ -71,7 +72,7 @@ public:
 
   /*!
    * \param tolerance \f$ \tau \f$, positive
-   * \param maximum_number_of_iterations after so many iterations a solution has failed
+   * \param maximum_number_of_iterations after so many iterations it is given up
    */
   explicit Conjugate_gradient_solver_traits(double tolerance = 1e-10, int maximum_number_of_iterations = 500)
   {

@@ -9,6 +9,7 @@
 
 #include <CGAL/Gradient_domain_processing/Gradient_domain_solver.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/target_field/Seam.h>
+#include <CGAL/Gradient_domain_processing/internal/filtering/write_back.h>
 
 #include <map>
 #include <vector>
@@ -49,10 +50,7 @@ Error_code stitch(Solver solver, VertexPatchMap patch_map, InMap in, OutMap out,
   if(const Error_code code = filter.solve(Seam(mesh, signal, patches), change))
     return code;
   filter.add(change, signal);
-  if(const Error_code code = filter.ready())
-    return code;
-  Stage_scope stage(solver.progress(), Stage::WRITE);
-  return solver.checked(write_signal(in, signal, out, solver.elements(), mesh, [&](int v) { return filter.is_moved(v); }, filter.culprit));
+  return solver.checked(write_back(in, signal, out, solver.elements(), filter));
 }
 
 } // namespace internal

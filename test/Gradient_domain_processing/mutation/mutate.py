@@ -4,9 +4,10 @@ the tests that are meant for that header shall fail on it.
 
   mutate.py [--number 40] [--seed 1] HEADER_OR_FOLDER...    relative to include/CGAL/Gradient_domain_processing; default: all
 
-A mutant is dropped if the header alone no longer compiles. Then its tests are compiled and run, the cheapest first, until one
-fails, crashes or takes too long: killed. A test whose object file is the same byte for byte as without the mutation is not run;
-a mutant that changes no object file at all survives as "same code" (it is equivalent, or nothing instantiates it).
+All is compiled in the separate form: the parts of internal/compiled/ and the tests are objects, and a mutant costs those that
+include its header. One in an _impl.h costs a part, and its tests are linked anew. Tests are run, those that are meant for the header
+first, then the cheapest, until one fails, crashes or takes too long: killed. A test none of whose objects has changed is not run; a mutant
+that changes no object at all survives as "same code" (it is equivalent, or nothing instantiates it).
 
 Everything happens in a scratch folder; the sample depends on the seed alone. Needs g++ and the libraries of the tests.
 """
@@ -32,8 +33,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 PACKAGE = pathlib.Path("CGAL/Gradient_domain_processing")
 TESTS = pathlib.Path("test/Gradient_domain_processing")
 
-# Which tests are meant for which headers: the first pattern that fits. Names that do not exist are passed over. A header that
-# fits none, and every header with --all, has all tests that include it, directly or not.
+# Which tests are meant for which headers: the first pattern that fits. Names that do not exist are passed over.
 MEANT_FOR = [
     ("Triangle_metric.h", ["test_operators", "test_analytic", "test_degenerate", "test_bad_values"]),
     ("internal/parallel/*", ["test_threads", "test_operators"]),
@@ -62,6 +62,7 @@ MEANT_FOR = [
     ("Gradient_domain_solver.h", ["test_solver_reuse", "test_constraints", "test_masks", "test_bad_values", "test_regions"]),
 ]
 NEVER = {"test_filter_program"}  # needs the command line built
+PARTS = "CGAL/Gradient_domain_processing/internal/compiled"
 
 OPERATORS = {
     "+": "-", "-": "+", "*": "/", "/": "*", "+=": "-=", "-=": "+=", "*=": "/=", "/=": "*=", "<": "<=", "<=": "<", ">": ">=",
@@ -151,7 +152,7 @@ class Workshop:
             self.workers.put(worker)
         self.first = self.folder / "worker0"
         self.flags = ["-std=c++17", "-" + arguments.optimization, "-DNDEBUG", "-D_GLIBCXX_ASSERTIONS", "-w", "-Iinclude", "-DCGAL_EIGEN3_ENABLED",
-                      "-isystem", arguments.eigen]
+                      "-DCGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED", "-isystem", arguments.eigen]
         self.libraries = ["-lgmp", "-lmpfr", "-ldl", "-lpthread"]
         if pathlib.Path("/usr/include/suitesparse/cholmod.h").exists():
             self.flags += ["-isystem", "/usr/include/suitesparse", "-DCGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD"]
@@ -165,7 +166,16 @@ class Workshop:
             "Eigen/SparseCholesky", "iostream")))
         self.run([arguments.compiler, *self.flags, "-x", "c++-header", str(self.foreign), "-o", str(self.foreign) + ".gch"],
                  self.first, check=True)
+        self.objects = self.folder / "objects"
+        self.objects.mkdir(exist_ok=True)
         self.baseline = {}
+        self.parts = {}
+        for part in sorted((ROOT / "include" / PARTS).glob("*.h")):
+            for worker in list(self.workers.queue):
+                (worker / f"{part.stem}.cpp").write_text(f"#include <{PARTS}/{part.name}>\n")
+            self.parts[part.stem] = self.keep(part.stem, f"{part.stem}.cpp")
+            if self.parts[part.stem] is None:
+                sys.exit(f"mutate.py: {part.name} does not compile")
 
     @staticmethod
     def run(command, folder, timeout=None, check=False, limit=None):
@@ -173,21 +183,31 @@ class Workshop:
                                 stdout=subprocess.DEVNULL, stderr=None if check else subprocess.DEVNULL)
         return result.returncode == 0
 
-    def compiles(self, worker, header):
-        """The header alone, and only its syntax."""
-        source = worker / "header.cpp"
-        source.write_text(f"#include <{header}>\n")
-        return self.run([self.arguments.compiler, *self.flags, "-include", str(self.foreign), "-fsyntax-only", str(source)], worker)
-
-    def build_object(self, worker, test):
-        """The hash of the object file, or None."""
-        if not self.run([self.arguments.compiler, *self.flags, "-include", str(self.foreign),
-                         "-c", f"test/{test}.cpp", "-o", f"{test}.o"], worker):
+    def compile(self, worker, name, source):
+        """The hash of the object file and the headers it was made of, or None."""
+        if not self.run([self.arguments.compiler, *self.flags, "-include", str(self.foreign), "-MMD", "-MF", f"{name}.d",
+                         "-c", source, "-o", f"{name}.o"], worker):
             return None
-        return hashlib.sha256((worker / f"{test}.o").read_bytes()).hexdigest()
+        headers = {h.split(str(PACKAGE) + "/")[1] for h in (worker / f"{name}.d").read_text().split() if str(PACKAGE) + "/" in h}
+        return {"object": hashlib.sha256((worker / f"{name}.o").read_bytes()).hexdigest(), "headers": headers}
 
-    def passes(self, worker, test, timeout):
-        if not self.run([self.arguments.compiler, f"{test}.o", "-o", test, *self.libraries], worker):
+    def keep(self, name, source):
+        """Compiles what the headers as they are make of a source."""
+        known = self.compile(self.first, name, source)
+        if known is not None:
+            shutil.move(self.first / f"{name}.o", self.objects / f"{name}.o")
+        return known
+
+    def changed(self, worker, name, source, known, header):
+        """Whether the object of a source is another one now, or None if it does not compile."""
+        if header not in known["headers"]:
+            return False
+        now = self.compile(worker, name, source)
+        return None if now is None else now["object"] != known["object"]
+
+    def passes(self, worker, test, timeout, changed=()):
+        objects = [str((worker if name in changed else self.objects) / f"{name}.o") for name in (test, *self.parts)]
+        if not self.run([self.arguments.compiler, *objects, "-o", test, *self.libraries], worker):
             return False
         try:
             return self.run([str(worker / test)], worker / "test", timeout, limit=limit_memory)
@@ -199,44 +219,32 @@ class Workshop:
     def learn(self, test):
         """Compiles and runs a test on the headers as they are."""
         start = time.monotonic()
-        hash_of_object = self.build_object(self.first, test)
+        known = self.keep(test, f"test/{test}.cpp")
         compiled = time.monotonic()
-        if hash_of_object is None or not self.passes(self.first, test, None):
+        if known is None or not self.passes(self.first, test, None):
             print(f"{test} does not pass without a mutation: left out", file=sys.stderr)
             return
         end = time.monotonic()
-        self.baseline[test] = {"object": hash_of_object, "cost": end - start, "timeout": 10 + 10 * (end - compiled)}
+        self.baseline[test] = {**known, "compile": compiled - start, "run": end - compiled, "timeout": 10 + 10 * (end - compiled)}
         print(f"{test}: compiled in {compiled - start:.0f} s, run in {end - compiled:.1f} s", flush=True)
 
-
-def included_by(path, include, seen):
-    if path in seen or not path.exists():
-        return
-    seen.add(path)
-    for name in re.findall(r'^#include [<"]([^>"]+)[>"]', path.read_text(), re.MULTILINE):
-        for folder in (include, path.parent):
-            included_by(folder / name, include, seen)
+    def cost(self, test, header):
+        """What it takes to ask a test about a mutant of a header."""
+        known = self.baseline[test]
+        return known["run"] + (known["compile"] if header in known["headers"] else 0)
 
 
 def tests_of(header, arguments):
-    """Names of the tests for a header given relative to the package."""
-    if arguments.tests:
-        return arguments.tests
+    """Names of the tests that are meant for a header given relative to the package, and those of the others that are asked."""
     existing = {p.stem for p in (ROOT / TESTS).glob("test_*.cpp")} - NEVER
+    if arguments.tests:
+        return arguments.tests, []
     meant = []
     for pattern, tests in MEANT_FOR:
         if fnmatch.fnmatchcase(header, pattern):
             meant = [t for t in tests if t in existing]
             break
-    if meant and not arguments.all:
-        return meant
-    reaching = []
-    for test in sorted(existing):
-        seen = set()
-        included_by(ROOT / TESTS / f"{test}.cpp", ROOT / "include", seen)
-        if ROOT / "include" / PACKAGE / header in seen:
-            reaching.append(test)
-    return meant + [t for t in reaching if t not in meant]
+    return meant, [] if meant and arguments.meant else sorted(existing - set(meant))
 
 
 def judge(workshop, mutant, tests):
@@ -246,20 +254,24 @@ def judge(workshop, mutant, tests):
     original = path.read_text()
     try:
         path.write_text(original[:begin] + replacement + original[end:])
-        if not workshop.compiles(worker, PACKAGE / header):
-            return "does not compile", ""
-        is_changed = False
+        changed = set()
+        for part, known in workshop.parts.items():
+            is_changed = workshop.changed(worker, part, f"{part}.cpp", known, header)
+            if is_changed is None:
+                return "does not compile", part
+            if is_changed:
+                changed.add(part)
+        has_parts_changed, is_any_changed = bool(changed), bool(changed)
         for test in tests:
-            known = workshop.baseline[test]
-            hash_of_object = workshop.build_object(worker, test)
-            if hash_of_object is None:
+            is_changed = workshop.changed(worker, test, f"test/{test}.cpp", workshop.baseline[test], header)
+            if is_changed is None:
                 return "does not compile", test
-            if hash_of_object == known["object"]:
+            if not (is_changed or has_parts_changed):
                 continue
-            is_changed = True
-            if not workshop.passes(worker, test, known["timeout"]):
+            is_any_changed = True
+            if not workshop.passes(worker, test, workshop.baseline[test]["timeout"], changed | ({test} if is_changed else set())):
                 return "killed", test
-        return ("survived", "") if is_changed else ("same code", "")
+        return ("survived", "") if is_any_changed else ("same code", "")
     finally:
         path.write_text(original)
         workshop.workers.put(worker)
@@ -313,7 +325,7 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--tests", nargs="+", help="these tests in place of those that are meant for a header")
-    parser.add_argument("--all", action="store_true", help="after the tests that are meant for a header, all that include it")
+    parser.add_argument("--meant", action="store_true", help="only the tests that are meant for a header, where there are any")
     parser.add_argument("--compiler", default="g++")
     parser.add_argument("--optimization", default="O1")
     parser.add_argument("--eigen", default="/usr/include/eigen3")
@@ -326,14 +338,15 @@ def main():
     tests = {header: tests_of(header, arguments) for header in {m[0] for m in mutants}}
     if arguments.list:
         for mutant in mutants:
-            print(described(mutant), "|", ", ".join(tests[mutant[0]]))
+            print(described(mutant), "|", ", ".join(tests[mutant[0]][0]))
         return
     workshop = Workshop(arguments)
     try:
-        for test in sorted({t for names in tests.values() for t in names}):
+        for test in sorted({t for groups in tests.values() for names in groups for t in names}):
             workshop.learn(test)
-        for header in tests:
-            tests[header] = sorted((t for t in tests[header] if t in workshop.baseline), key=lambda t: workshop.baseline[t]["cost"])
+        for header, groups in tests.items():
+            tests[header] = [t for names in groups
+                             for t in sorted((t for t in names if t in workshop.baseline), key=lambda t: workshop.cost(t, header))]
         results = []
         with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
             futures = [pool.submit(judge, workshop, m, tests[m[0]]) for m in mutants]

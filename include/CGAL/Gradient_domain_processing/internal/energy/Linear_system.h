@@ -110,10 +110,17 @@ public:
 
   // The change g - f of a signal whose target is given by what it asks for beyond the signal's own gradients (see right_hand_side.h),
   // by vertex. On entry, `displacement` holds the change of the constrained vertices, if `displaces_constraints`.
+  // Where an iterative solver does not converge, Cholesky takes its place, from then on.
   template <class Target_field>
   Error_code solve(const Target_field& target, Progress& progress, Signal& displacement, bool displaces_constraints = false);
 
 private:
+  template <class Target_field>
+  Error_code solve_as_it_is(const Target_field& target, Progress& progress, Signal& displacement, bool displaces_constraints);
+
+  // False where it cannot be hoped for.
+  bool turn_to_cholesky(Progress& progress);
+
   bool has_virtual_vertices() const { return mesh.virtual_vertices.size() > 0; }
   bool has_second_order() const { return bool(m_coefficients.second_order); }
   // Not that of neighbors: the solver sees it with the first values.

@@ -56,7 +56,7 @@ CGAL_GDP_INLINE Error_code Linear_system::factorize(Progress& progress)
 }
 
 template <class Target_field>
-Error_code Linear_system::solve(const Target_field& target, Progress& progress, Signal& displacement, bool displaces_constraints)
+Error_code Linear_system::solve_as_it_is(const Target_field& target, Progress& progress, Signal& displacement, bool displaces_constraints)
 {
   if(const Error_code code = factorize(progress))
     return code;
@@ -73,6 +73,26 @@ Error_code Linear_system::solve(const Target_field& target, Progress& progress, 
   else
     residual.resize(0, target.channels());
   return solve_residual(residual, progress, displacement, displaces_constraints);
+}
+
+template <class Target_field>
+Error_code Linear_system::solve(const Target_field& target, Progress& progress, Signal& displacement, bool displaces_constraints)
+{
+  const Error_code code = solve_as_it_is(target, progress, displacement, displaces_constraints);
+  if(code != error_not_converged || !turn_to_cholesky(progress))
+    return code;
+  return solve_as_it_is(target, progress, displacement, displaces_constraints);
+}
+
+CGAL_GDP_INLINE bool Linear_system::turn_to_cholesky(Progress& progress)
+{
+  constexpr int largest = 1000000; // degrees of freedom; where there are more, memory may be why no Cholesky was asked for
+  if(!m_solver->is_iterative || m_dofs.size() > largest)
+    return false;
+  m_solver = any_linear_solver(Default_sparse_linear_solver());
+  m_is_analyzed = m_is_factorized = false;
+  progress.notice("the iterative solver did not converge; the system is solved by Cholesky factorization");
+  return true;
 }
 
 CGAL_GDP_INLINE Error_code Linear_system::analyze(Progress& progress)

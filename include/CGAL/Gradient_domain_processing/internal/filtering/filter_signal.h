@@ -7,26 +7,20 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FILTER_SIGNAL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FILTER_SIGNAL_H
 
-#include <CGAL/Gradient_domain_processing/internal/filtering/Filter.h>
-#include <CGAL/Gradient_domain_processing/internal/mesh/signals.h>
-
-#include <cmath>
-#include <utility>
-#include <vector>
+#include <CGAL/Gradient_domain_processing/internal/filtering/write_back.h>
 
 namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Which rows have a channel without a value.
-std::vector<char> missing_rows(const Signal& signal);
-
-// Weights that ask for no gradient on the faces of missing values.
-Energy_weights without_gradients_at(const std::vector<char>& is_missing, const Indexed_triangles& mesh, Energy_weights weights);
-
-// Fills missing values in by the energy without a value weight, all others constrained: as smoothly as the metric has it.
+// So many passes.
 template <class Void = void>
-Error_code fill_missing_values(const std::vector<char>& is_missing, Filter& filter, Signal& signal);
+Error_code filter_repeatedly(int number_of_iterations, Filter& filter, Signal& signal);
+
+// Fills missing values in first, by the energy without a value weight, all others constrained: as smoothly as the metric has it. No
+// gradient is asked for on their faces. Constraints and weights are the caller's again afterwards, whatever happens.
+template <class Void = void>
+Error_code fill_and_filter(int number_of_iterations, Filter& filter, Signal& signal);
 
 template <class InMap, class OutMap, class Surface>
 Error_code filter_signal(InMap in, OutMap out, int number_of_iterations, bool may_be_missing, const Surface_elements<Surface>& elements,
@@ -42,23 +36,11 @@ Error_code filter_signal(InMap in, OutMap out, int number_of_iterations, bool ma
     if(const Error_code code = read_signal(in, elements, filter.mesh(), may_be_missing, filter.culprit, signal))
       return code;
   }
-  const Energy_weights own = filter.system.weights();
   const bool has_missing = may_be_missing && !signal.allFinite();
-  Error_code code = ok;
-  if(has_missing)
-  {
-    const std::vector<char> is_missing = missing_rows(signal);
-    code = fill_missing_values(is_missing, filter, signal);
-    filter.system.set_weights(without_gradients_at(is_missing, filter.mesh(), own));
-  }
-  for(int i = 0; i < number_of_iterations && code == ok; ++i)
-    code = filter.filter(signal);
-  if(has_missing)
-    filter.system.set_weights(own);
-  if(code != ok || (code = filter.ready()) != ok)
+  if(const Error_code code = has_missing ? fill_and_filter(number_of_iterations, filter, signal)
+                                         : filter_repeatedly(number_of_iterations, filter, signal))
     return code;
-  Stage_scope stage(filter.progress(), Stage::WRITE);
-  return write_signal(in, signal, out, elements, filter.mesh(), [&](int v) { return filter.is_moved(v); }, filter.culprit);
+  return write_back(in, signal, out, elements, filter);
 }
 
 } // namespace internal

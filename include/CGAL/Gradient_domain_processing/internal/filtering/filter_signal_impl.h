@@ -9,13 +9,18 @@
 
 #include <CGAL/Gradient_domain_processing/internal/filtering/filter_signal.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/target_field/Scaled_gradient.h>
-#include <CGAL/Gradient_domain_processing/internal/separate_compilation.h>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-CGAL_GDP_INLINE std::vector<char> missing_rows(const Signal& signal)
+// Which rows have a channel without a value.
+inline std::vector<char> missing_rows(const Signal& signal)
 {
   std::vector<char> is_missing(std::size_t(signal.rows()));
   for(std::size_t row = 0; row < is_missing.size(); ++row)
@@ -23,7 +28,8 @@ CGAL_GDP_INLINE std::vector<char> missing_rows(const Signal& signal)
   return is_missing;
 }
 
-CGAL_GDP_INLINE Energy_weights without_gradients_at(const std::vector<char>& is_missing, const Indexed_triangles& mesh, Energy_weights weights)
+// Weights that ask for no gradient on the faces of missing values.
+inline Energy_weights without_gradients_at(const std::vector<char>& is_missing, const Indexed_triangles& mesh, Energy_weights weights)
 {
   if(weights.scale_at_triangle.empty())
     weights.scale_at_triangle.assign(mesh.triangles.size(), weights.scale);
@@ -34,22 +40,24 @@ CGAL_GDP_INLINE Energy_weights without_gradients_at(const std::vector<char>& is_
   return weights;
 }
 
-template <class Void>
+// Gives the constraints and weights back.
+struct Restored_system
+{
+  Linear_system& system;
+  std::vector<char> is_constrained;
+  Energy_weights weights;
+  ~Restored_system()
+  {
+    system.set_constrained(std::move(is_constrained));
+    system.set_weights(weights);
+  }
+};
+
+template <class Void = void>
 Error_code fill_missing_values(const std::vector<char>& is_missing, Filter& filter, Signal& signal)
 {
-  struct Restored
-  {
-    Linear_system& system;
-    std::vector<char> is_constrained;
-    Energy_weights weights;
-    ~Restored()
-    {
-      system.set_constrained(std::move(is_constrained));
-      system.set_weights(weights);
-    }
-  };
+  const Restored_system scope{filter.system, filter.system.is_constrained, filter.system.weights()};
   const Indexed_triangles& mesh = filter.mesh();
-  const Restored scope{filter.system, filter.system.is_constrained, filter.system.weights()};
   std::vector<char> has_value(mesh.points.size(), 1);
   Signal filled = signal;
   for(int row = 0; row < mesh.number_of_rows(); ++row)
@@ -73,8 +81,35 @@ Error_code fill_missing_values(const std::vector<char>& is_missing, Filter& filt
   return ok;
 }
 
+template <class Void>
+Error_code filter_repeatedly(int number_of_iterations, Filter& filter, Signal& signal)
+{
+  Error_code code = ok;
+  for(int i = 0; i < number_of_iterations && code == ok; ++i)
+    code = filter.filter(signal);
+  return code;
+}
+
+template <class Void>
+Error_code fill_and_filter(int number_of_iterations, Filter& filter, Signal& signal)
+{
+  struct Restored_weights
+  {
+    Linear_system& system;
+    Energy_weights own;
+    ~Restored_weights() { system.set_weights(own); }
+  };
+  const Restored_weights scope{filter.system, filter.system.weights()};
+  const std::vector<char> is_missing = missing_rows(signal);
+  if(const Error_code code = fill_missing_values(is_missing, filter, signal))
+    return code;
+  filter.system.set_weights(without_gradients_at(is_missing, filter.mesh(), scope.own));
+  return filter_repeatedly(number_of_iterations, filter, signal);
+}
+
 #ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
-template Error_code fill_missing_values<>(const std::vector<char>& is_missing, Filter& filter, Signal& signal);
+template Error_code filter_repeatedly<>(int number_of_iterations, Filter& filter, Signal& signal);
+template Error_code fill_and_filter<>(int number_of_iterations, Filter& filter, Signal& signal);
 #endif
 
 } // namespace internal

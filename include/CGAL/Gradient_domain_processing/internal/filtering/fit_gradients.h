@@ -8,8 +8,7 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FIT_GRADIENTS_H
 
 #include <CGAL/Gradient_domain_processing/internal/energy/target_field/Given_gradient.h>
-#include <CGAL/Gradient_domain_processing/internal/filtering/Filter.h>
-#include <CGAL/Gradient_domain_processing/internal/mesh/signals.h>
+#include <CGAL/Gradient_domain_processing/internal/filtering/write_back.h>
 
 namespace CGAL {
 namespace Gradient_domain_processing {
@@ -63,10 +62,7 @@ Error_code fit_gradients(InMap in, FaceGradientMap gradients, OutMap out, const 
   if(const Error_code code = filter.solve(Given_gradient(filter.mesh(), signal, along), change))
     return code;
   filter.add(change, signal);
-  if(const Error_code code = filter.ready())
-    return code;
-  Stage_scope stage(filter.progress(), Stage::WRITE);
-  return write_signal(in, signal, out, elements, filter.mesh(), [&](int v) { return filter.is_moved(v); }, filter.culprit);
+  return write_back(in, signal, out, elements, filter);
 }
 
 } // namespace internal

@@ -91,7 +91,7 @@ CGAL_GDP_INLINE int offset_to_volumes(const Indexed_triangles& mesh, const std::
   for(int v = 0; v < mesh.number_of_vertices(); ++v)
   {
     const Part& part = parts[std::size_t(components.of_vertex[std::size_t(v)])];
-    if(part.origin >= 0 && has_volume(part) && is_reached(part))
+    if(part.length != 0 && has_volume(part) && is_reached(part)) // else to the bit
       after[std::size_t(v)] = moved[std::size_t(v)];
   }
   return int(std::count_if(parts.begin(), parts.end(), [&](const Part& part) {

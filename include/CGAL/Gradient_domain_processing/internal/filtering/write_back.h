@@ -1,0 +1,31 @@
+// Copyright (c) 2026  The Gradient_domain_processing authors.
+//
+// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_WRITE_BACK_H
+#define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_WRITE_BACK_H
+
+#include <CGAL/Gradient_domain_processing/internal/filtering/Filter.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/signals.h>
+
+namespace CGAL {
+namespace Gradient_domain_processing {
+namespace internal {
+
+// The last stage: a result goes to the caller's map. Values that are constrained are copied from `in`, to the bit.
+template <class InMap, class OutMap, class Surface>
+Error_code write_back(InMap in, const Signal& signal, OutMap out, const Surface_elements<Surface>& elements, Filter& filter)
+{
+  if(const Error_code code = filter.ready())
+    return code;
+  Stage_scope stage(filter.progress(), Stage::WRITE);
+  return write_signal(in, signal, out, elements, filter.mesh(), [&](int v) { return filter.is_moved(v); }, filter.culprit);
+}
+
+} // namespace internal
+} // namespace Gradient_domain_processing
+} // namespace CGAL
+
+#endif // CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_WRITE_BACK_H
