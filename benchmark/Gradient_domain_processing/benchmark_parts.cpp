@@ -4,7 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Times the parts of the package inside one process, each against what it is to be compared with, and writes a JSON object a line.
+// Times the parts of the package inside one process, each against what it is to be compared with, and writes a JSON
+// object a line.
 //
 //   benchmark_parts make-scan INPUT OUTPUT VERTICES      remeshed to about so many vertices, as irregular as a scan's
 //   benchmark_parts subdivide INPUT OUTPUT TIMES         by Loop's scheme, for meshes that are too large to remesh
@@ -65,7 +66,8 @@ void print(const std::string& benchmark, const Mesh& mesh, const std::map<std::s
 }
 
 // Named pieces of work, in turns.
-std::map<std::string, double> in_turns(int repetitions, const std::vector<std::pair<std::string, std::function<void()> > >& works)
+std::map<std::string, double> in_turns(int repetitions,
+                                       const std::vector<std::pair<std::string, std::function<void()> > >& works)
 {
   std::map<std::string, std::vector<double> > times;
   for(int i = 0; i < repetitions; ++i)
@@ -118,7 +120,8 @@ void benchmark_solver(const Mesh& mesh, int repetitions)
     print(name, mesh, medians);
   };
 #ifdef BENCHMARK_WITH_MKL
-  run("solver_mkl", [] { return CGAL::Eigen_solver_traits<Eigen::PardisoLLT<Eigen::SparseMatrix<double>, Eigen::Lower> >(); });
+  run("solver_mkl",
+      [] { return CGAL::Eigen_solver_traits<Eigen::PardisoLLT<Eigen::SparseMatrix<double>, Eigen::Lower> >(); });
 #else
   run("solver_default", [] { return GDP::Default_sparse_linear_solver(); });
   run("solver_eigen", [] { return Eigen_solver(); });
@@ -155,9 +158,12 @@ void benchmark_assembly(const Mesh& mesh, int repetitions)
   require(solver.factorize());
   const auto& system = solver.arrays().system;
   GDP::internal::Sparse_matrix filled;
-  GDP::internal::set_pattern(GDP::internal::sparsity_pattern(system.mesh.one_rings(true), system.degrees_of_freedom(), true, true), true, filled);
+  GDP::internal::set_pattern(
+    GDP::internal::sparsity_pattern(system.mesh.one_rings(true), system.degrees_of_freedom(), true, true), true,
+    filled);
   const auto refill = [&](bool parallel) {
-    GDP::internal::assemble(system.mesh, GDP::internal::Triangle_metrics(), system.weights(), system.degrees_of_freedom(), parallel, filled);
+    GDP::internal::assemble(system.mesh, GDP::internal::Triangle_metrics(), system.weights(),
+                            system.degrees_of_freedom(), parallel, filled);
   };
   print("assembly", mesh, in_turns(repetitions, {{"triplets", by_triplets},
                                                  {"sequential", [&] { refill(false); }},
@@ -255,7 +261,8 @@ void benchmark_threads(const Mesh& mesh, int repetitions)
     {
       Mesh copy = mesh;
       Stage_times stages;
-      require(GDP::smooth(copy, GDP::parameters::visitor(std::ref(stages)).concurrency_tag(tag).curvature_weight(0.01)));
+      require(
+        GDP::smooth(copy, GDP::parameters::visitor(std::ref(stages)).concurrency_tag(tag).curvature_weight(0.01)));
       for(const auto& stage : stages.sums)
         times[stage.first].push_back(stage.second);
     }
@@ -303,7 +310,8 @@ int make_mesh(void (*refine)(Mesh&, double), const char* input, const char* outp
     return EXIT_FAILURE;
   refine(mesh, amount);
   add_noise(mesh);
-  return CGAL::IO::write_polygon_mesh(output, mesh, CGAL::parameters::use_binary_mode(true)) ? EXIT_SUCCESS : EXIT_FAILURE;
+  return CGAL::IO::write_polygon_mesh(output, mesh, CGAL::parameters::use_binary_mode(true)) ? EXIT_SUCCESS
+                                                                                             : EXIT_FAILURE;
 }
 
 int main(int argc, char* argv[])
@@ -320,7 +328,8 @@ int main(int argc, char* argv[])
   {
     std::cerr << "usage: " << argv[0] << " make-scan INPUT OUTPUT VERTICES\n"
               << "       " << argv[0] << " subdivide INPUT OUTPUT TIMES\n"
-              << "       " << argv[0] << " solver|assembly|curvature|reuse|region|threads MESH [REPETITIONS]" << std::endl;
+              << "       " << argv[0] << " solver|assembly|curvature|reuse|region|threads MESH [REPETITIONS]"
+              << std::endl;
     return 2;
   }
   found->second(mesh, argc > 3 ? std::atoi(argv[3]) : 3);

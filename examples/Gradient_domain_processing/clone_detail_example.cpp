@@ -76,7 +76,8 @@ int main(int argc, char* argv[])
   }
 
   // Inside the region, the gradients of the spots; around it, the painting.
-  const GDP::Error_code code = GDP::fit_to_gradients(region, mesh, painting, gradient, painting, GDP::parameters::value_weight(0));
+  const GDP::Error_code code =
+    GDP::fit_to_gradients(region, mesh, painting, gradient, painting, GDP::parameters::value_weight(0));
   if(code != GDP::OK)
   {
     std::cerr << GDP::get_error_message(code) << std::endl;
@@ -85,7 +86,8 @@ int main(int argc, char* argv[])
 
   auto color = mesh.add_property_map<vertex_descriptor, CGAL::IO::Color>("v:color").first;
   for(vertex_descriptor v : vertices(mesh))
-    color[v] = GDP::Signal_traits<CGAL::IO::Color>::make(std::array<double, 4>{painting[v][0], painting[v][1], painting[v][2], 255}.data());
+    color[v] = GDP::Signal_traits<CGAL::IO::Color>::make(
+      std::array<double, 4>{painting[v][0], painting[v][1], painting[v][2], 255}.data());
   std::cout << "Cloned the spots into " << region.size() << " faces of the painting: cloned.ply" << std::endl;
   CGAL::IO::write_PLY("cloned.ply", mesh);
   return EXIT_SUCCESS;

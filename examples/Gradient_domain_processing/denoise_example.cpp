@@ -39,7 +39,8 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
   CGAL::IO::write_polygon_mesh(output, mesh, CGAL::parameters::stream_precision(17));
-  std::cout << input << ": noise level " << summary.noise_level << " radians, " << summary.number_of_outliers << " outliers, "
-            << summary.number_of_iterations << " passes: " << GDP::get_denoising_end_message(summary.end) << ". See " << output << std::endl;
+  std::cout << input << ": noise level " << summary.noise_level << " radians, " << summary.number_of_outliers
+            << " outliers, " << summary.number_of_iterations
+            << " passes: " << GDP::get_denoising_end_message(summary.end) << ". See " << output << std::endl;
   return EXIT_SUCCESS;
 }

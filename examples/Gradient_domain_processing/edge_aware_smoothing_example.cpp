@@ -30,8 +30,8 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  // Where the surface is curved, the metric makes it larger than it is, and it is smoothed less. Curvature is that of the
-  // surface smoothed a little, so that noise does not count.
+  // Where the surface is curved, the metric makes it larger than it is, and it is smoothed less. Curvature is that of
+  // the surface smoothed a little, so that noise does not count.
   const GDP::Error_code code = GDP::smooth(mesh,
     GDP::parameters::gradient_weight(1e-3)
                     .curvature_metric_kind(GDP::Curvature_metric_kind::EDGE_AWARE)

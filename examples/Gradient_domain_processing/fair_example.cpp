@@ -71,8 +71,8 @@ int main(int argc, char* argv[])
       double top = -HUGE_VAL;
       for(vertex_descriptor v : patch_vertices)
         top = (std::max)(top, mesh.point(v).z());
-      std::cout << "A patch of " << patch_vertices.size() << " vertices reaches up to " << top << ", the surface had reached " << high
-                << std::endl;
+      std::cout << "A patch of " << patch_vertices.size() << " vertices reaches up to " << top
+                << ", the surface had reached " << high << std::endl;
     }
 
   CGAL::IO::write_polygon_mesh("fair.off", mesh, CGAL::parameters::stream_precision(17));

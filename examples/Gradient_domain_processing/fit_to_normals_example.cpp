@@ -43,7 +43,8 @@ int main(int argc, char* argv[])
   PMP::compute_vertex_normals(mesh, normal);
   for(vertex_descriptor v : vertices(mesh))
   {
-    const Vector tilted = normal[v] + Vector(0.5 * std::sin(40 * (mesh.point(v).x() - box.xmin()) / (box.xmax() - box.xmin())), 0, 0);
+    const Vector tilted =
+      normal[v] + Vector(0.5 * std::sin(40 * (mesh.point(v).x() - box.xmin()) / (box.xmax() - box.xmin())), 0, 0);
     normal[v] = tilted / std::sqrt(tilted.squared_length());
   }
 

@@ -74,7 +74,8 @@ std::string why_unchanged(const Options& o, const Report& report)
     return "the gradient weight is 0";
   if(o.operation == Operation::FILTER && o.signal == Signal_kind::NORMAL_TO_POSITION)
     return "the normals are those that the surface has; --gradient-weight filters them first";
-  if(o.operation == Operation::FILTER && o.gradient_scale == 1 && o.gradient_scale_property.empty() && o.hessian_weight == 0)
+  if(o.operation == Operation::FILTER && o.gradient_scale == 1 && o.gradient_scale_property.empty()
+     && o.hessian_weight == 0)
     return "the gradient scale is 1";
   if(o.max_displacement && *o.max_displacement == 0)
     return "the largest displacement is 0";
@@ -90,7 +91,8 @@ void filter(const Options& options, const Output_form& form, Mesh_file& file, St
   const std::vector<Point> points = file.points;
   const GDP::Error_code code = filter_mesh(options, file, clock, report.facts);
   if(code != GDP::ok)
-    throw Failure(options.input_name(), (clock.invalid().empty() ? "" : clock.invalid() + ": ") + GDP::get_error_message(code));
+    throw Failure(options.input_name(),
+                  (clock.invalid().empty() ? "" : clock.invalid() + ": ") + GDP::get_error_message(code));
   report.measure(before, signal_values(options, file));
   if(report.changed_values == 0 && !options.only_adds())
     report.why_unchanged = why_unchanged(options, report);
@@ -110,8 +112,8 @@ std::string joined(const std::vector<std::string>& words)
   return text;
 }
 
-// What nobody should have to find out for himself. Remarks about a surface that has not changed are of no use, and --verbose
-// has them in its summary.
+// What nobody should have to find out for himself. Remarks about a surface that has not changed are of no use, and
+// --verbose has them in its summary.
 void say_all(const Options& options, const Report& report, Stage_clock& clock)
 {
   if(!report.why_unchanged.empty())
@@ -139,7 +141,8 @@ void run(const Options& options)
 #ifdef CGAL_LINKED_WITH_TBB
   std::unique_ptr<tbb::global_control> limit;
   if(options.threads > 0)
-    limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, std::size_t(options.threads));
+    limit =
+      std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, std::size_t(options.threads));
 #endif
   Stage_clock clock(!options.is_quiet && is_terminal());
   Output_file output(options.output);
@@ -184,7 +187,8 @@ void run(const Options& options)
     say_all(options, report, clock);
   clock.clear();
   if(options.is_verbose)
-    (options.output == "-" || options.report == "-" ? std::cerr : std::cout) << report.summary(options, clock) << std::flush;
+    (options.output == "-" || options.report == "-" ? std::cerr : std::cout)
+      << report.summary(options, clock) << std::flush;
 }
 
 } // namespace

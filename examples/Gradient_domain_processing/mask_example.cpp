@@ -39,12 +39,14 @@ int main(int argc, char* argv[])
 
   // From -1 at the left to 1 at the right, and from 0 at the bottom to 1 at the top.
   const CGAL::Bbox_3 box = PMP::bbox(mesh);
-  const auto x = [&](vertex_descriptor v) { return 2 * (mesh.point(v).x() - box.xmin()) / (box.xmax() - box.xmin()) - 1; };
+  const auto x = [&](vertex_descriptor v) {
+    return 2 * (mesh.point(v).x() - box.xmin()) / (box.xmax() - box.xmin()) - 1;
+  };
   const auto y = [&](vertex_descriptor v) { return (mesh.point(v).y() - box.ymin()) / (box.ymax() - box.ymin()); };
   const auto corner = [&](face_descriptor f) { return target(halfedge(f, mesh), mesh); };
 
-  // Smoothed at the left, sharpened at the right (a scale of 1 in between changes nothing); large details at the left, small ones
-  // at the right; and the closer to the top, the less of it all.
+  // Smoothed at the left, sharpened at the right (a scale of 1 in between changes nothing); large details at the left,
+  // small ones at the right; and the closer to the top, the less of it all.
   const auto scale = boost::make_function_property_map<face_descriptor>(
     [&](face_descriptor f) { return 1 + x(corner(f)); });
   const auto weight = boost::make_function_property_map<face_descriptor>(

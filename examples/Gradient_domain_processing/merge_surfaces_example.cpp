@@ -49,7 +49,8 @@ int main(int argc, char* argv[])
 
   // Two surfaces: the mesh is cut in two, and the upper part is made larger, turned and lifted.
   const CGAL::Bbox_3 box = PMP::bbox(mesh);
-  const Point center = CGAL::midpoint(Point(box.xmin(), box.ymin(), box.zmin()), Point(box.xmax(), box.ymax(), box.zmax()));
+  const Point center =
+    CGAL::midpoint(Point(box.xmin(), box.ymin(), box.zmin()), Point(box.xmax(), box.ymax(), box.zmax()));
   auto part = mesh.add_property_map<face_descriptor, int>("f:part", 0).first;
   for(face_descriptor f : faces(mesh))
     part[f] = mesh.point(target(halfedge(f, mesh), mesh)).y() > center.y();
@@ -61,13 +62,16 @@ int main(int argc, char* argv[])
   for(vertex_descriptor v : vertices(upper))
   {
     const Vector p = upper.point(v) - center;
-    upper.point(v) = center + Vector(1.1 * p.x() + 0.5 * p.z(), 1.2 * p.y() + 0.1 * (box.ymax() - box.ymin()), 1.1 * p.z() - 0.5 * p.x());
+    upper.point(v) =
+      center
+      + Vector(1.1 * p.x() + 0.5 * p.z(), 1.2 * p.y() + 0.1 * (box.ymax() - box.ymin()), 1.1 * p.z() - 0.5 * p.x());
   }
   Mesh before = lower;
   CGAL::copy_face_graph(upper, before);
   CGAL::IO::write_polygon_mesh("two_surfaces.off", before, CGAL::parameters::stream_precision(17));
 
-  // The border of the upper surface goes to that of the lower; inside, its gradients stay. Those of positions are the axes.
+  // The border of the upper surface goes to that of the lower; inside, its gradients stay. Those of positions are the
+  // axes.
   auto position = upper.add_property_map<vertex_descriptor, Point>("v:position").first;
   auto is_constrained = upper.add_property_map<vertex_descriptor, bool>("v:is_constrained", false).first;
   for(const auto& [original, v] : copies)
@@ -75,7 +79,8 @@ int main(int argc, char* argv[])
     is_constrained[v] = CGAL::is_border(v, upper).has_value();
     position[v] = is_constrained[v] ? mesh.point(original) : upper.point(v);
   }
-  const CGAL::Constant_property_map<face_descriptor, Gradients> axes(Gradients{Vector(1, 0, 0), Vector(0, 1, 0), Vector(0, 0, 1)});
+  const CGAL::Constant_property_map<face_descriptor, Gradients> axes(
+    Gradients{Vector(1, 0, 0), Vector(0, 1, 0), Vector(0, 0, 1)});
   const GDP::Error_code code = GDP::fit_to_gradients(upper, position, axes, upper.points(),
     GDP::parameters::value_weight(0).vertex_is_constrained_map(is_constrained));
   if(code != GDP::OK)
@@ -87,7 +92,8 @@ int main(int argc, char* argv[])
   CGAL::copy_face_graph(upper, lower);
   PMP::stitch_borders(lower);
   const bool is_closed = CGAL::is_closed(lower);
-  std::cout << "Merged two surfaces into one that is " << (is_closed ? "" : "not ") << "closed: merged.off" << std::endl;
+  std::cout << "Merged two surfaces into one that is " << (is_closed ? "" : "not ") << "closed: merged.off"
+            << std::endl;
   CGAL::IO::write_polygon_mesh("merged.off", lower, CGAL::parameters::stream_precision(17));
   return is_closed == CGAL::is_closed(mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -33,7 +33,8 @@ int main(int argc, char* argv[])
   // One copy keeps its ridges while its valleys are filled, the other keeps its valleys while its ridges are worn down.
   Mesh ridges = mesh, valleys = mesh;
   const auto weights = GDP::parameters::gradient_weight(1e-3).curvature_weight(1.);
-  GDP::Error_code code = GDP::smooth(ridges, weights.curvature_metric_kind(GDP::Curvature_metric_kind::PRESERVE_CONVEX));
+  GDP::Error_code code =
+    GDP::smooth(ridges, weights.curvature_metric_kind(GDP::Curvature_metric_kind::PRESERVE_CONVEX));
   if(code == GDP::OK)
     code = GDP::smooth(valleys, weights.curvature_metric_kind(GDP::Curvature_metric_kind::PRESERVE_CONCAVE));
   if(code != GDP::OK)

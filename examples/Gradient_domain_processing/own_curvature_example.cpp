@@ -36,12 +36,16 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  // Any class with these four members will do, for example what PMP::interpolated_corrected_curvatures() of CGAL 6 finds.
+  // Any class with these four members will do, for example what PMP::interpolated_corrected_curvatures() of CGAL 6
+  // finds.
   auto curvature = mesh.add_property_map<vertex_descriptor, Curvature>("v:curvature").first;
   GDP::Error_code code = GDP::estimate_curvatures(mesh, curvature, GDP::parameters::presmoothing_weight(3e-4));
 
-  // Edges are the tenth of the vertices that is most curved; they are to be kept as they are, and all else shall count as flat.
-  const auto strength = [](const Curvature& k) { return (std::max)(std::abs(k.min_curvature), std::abs(k.max_curvature)); };
+  // Edges are the tenth of the vertices that is most curved; they are to be kept as they are, and all else shall count
+  // as flat.
+  const auto strength = [](const Curvature& k) {
+    return (std::max)(std::abs(k.min_curvature), std::abs(k.max_curvature));
+  };
   std::vector<double> strengths;
   for(const Curvature& k : curvature)
     strengths.push_back(strength(k));
@@ -52,7 +56,8 @@ int main(int argc, char* argv[])
       k.min_curvature = k.max_curvature = 0;
 
   if(code == GDP::OK)
-    code = GDP::smooth(mesh, GDP::parameters::vertex_curvature_map(curvature).curvature_weight(1.).gradient_weight(1e-3));
+    code =
+      GDP::smooth(mesh, GDP::parameters::vertex_curvature_map(curvature).curvature_weight(1.).gradient_weight(1e-3));
   if(code != GDP::OK)
   {
     std::cerr << GDP::get_error_message(code) << std::endl;

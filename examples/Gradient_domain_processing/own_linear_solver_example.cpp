@@ -78,9 +78,11 @@ int main(int argc, char* argv[])
   typedef CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> > > Eigen_solver;
   auto by_eigen = mesh.add_property_map<vertex_descriptor, Kernel::Point_3>("v:by_eigen").first;
   auto by_us = mesh.add_property_map<vertex_descriptor, Kernel::Point_3>("v:by_us").first;
-  GDP::Error_code code = GDP::process_signal(mesh, mesh.points(), by_eigen, GDP::parameters::sparse_linear_solver(Eigen_solver()));
+  GDP::Error_code code =
+    GDP::process_signal(mesh, mesh.points(), by_eigen, GDP::parameters::sparse_linear_solver(Eigen_solver()));
   if(code == GDP::OK)
-    code = GDP::process_signal(mesh, mesh.points(), by_us, GDP::parameters::sparse_linear_solver(Conjugate_gradients()));
+    code =
+      GDP::process_signal(mesh, mesh.points(), by_us, GDP::parameters::sparse_linear_solver(Conjugate_gradients()));
   if(code != GDP::OK)
   {
     std::cerr << GDP::get_error_message(code) << std::endl;

@@ -37,7 +37,8 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  // As on a lathe, only differences around the vertical axis are smoothed: squared lengths count a hundred times, but around it.
+  // As on a lathe, only differences around the vertical axis are smoothed: squared lengths count a hundred times, but
+  // around it.
   const CGAL::Bbox_3 box = PMP::bbox(mesh);
   const Kernel::Point_3 center = CGAL::midpoint(Kernel::Point_3(box.xmin(), box.ymin(), box.zmin()),
                                                 Kernel::Point_3(box.xmax(), box.ymax(), box.zmax()));
@@ -49,7 +50,9 @@ int main(int argc, char* argv[])
     const Vector t1 = mesh.point(target(h, mesh)) - v0, t2 = mesh.point(target(next(h, mesh), mesh)) - v0;
     const Vector radius = v0 + (t1 + t2) / 3 - center;
     const Vector around = Vector(radius.z(), 0, -radius.x()) / std::hypot(radius.x(), radius.z());
-    const auto product = [&](const Vector& a, const Vector& b) { return 100 * (a * b) - 99 * (a * around) * (b * around); };
+    const auto product = [&](const Vector& a, const Vector& b) {
+      return 100 * (a * b) - 99 * (a * around) * (b * around);
+    };
     metric[f] = GDP::Triangle_metric(product(t1, t1), product(t1, t2), product(t2, t2));
   }
 

@@ -75,6 +75,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  std::cout << "Smoothed the weather: neighbors differ by " << before << " degrees before and by " << difference() << " after" << std::endl;
+  std::cout << "Smoothed the weather: neighbors differ by " << before << " degrees before and by " << difference()
+            << " after" << std::endl;
   return EXIT_SUCCESS;
 }

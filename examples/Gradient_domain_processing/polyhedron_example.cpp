@@ -40,7 +40,8 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  std::cout << "Smoothed and sharpened a polyhedron of " << num_vertices(polyhedron) << " vertices: polyhedron.off" << std::endl;
+  std::cout << "Smoothed and sharpened a polyhedron of " << num_vertices(polyhedron) << " vertices: polyhedron.off"
+            << std::endl;
   CGAL::IO::write_polygon_mesh("polyhedron.off", polyhedron, CGAL::parameters::stream_precision(17));
   return EXIT_SUCCESS;
 }

@@ -13,8 +13,8 @@
 
 namespace gdp_test {
 
-// A model of SparseLinearAlgebraWithFactorTraits_d that has what the concept asks for and nothing more: a dense matrix, inverted by
-// Gauss-Jordan elimination. Answers come as (1/D) X with a D that is not one, as the concept allows.
+// A model of SparseLinearAlgebraWithFactorTraits_d that has what the concept asks for and nothing more: a dense matrix,
+// inverted by Gauss-Jordan elimination. Answers come as (1/D) X with a D that is not one, as the concept allows.
 class Minimal_solver
 {
 public:
@@ -48,7 +48,10 @@ public:
     int column_dimension() const { return m_columns; }
     double get_coef(int row, int column) const { return m_values[std::size_t(row) * m_columns + column]; }
     void add_coef(int row, int column, double value) { m_values[std::size_t(row) * m_columns + column] += value; }
-    void set_coef(int row, int column, double value, bool = false) { m_values[std::size_t(row) * m_columns + column] = value; }
+    void set_coef(int row, int column, double value, bool = false)
+    {
+      m_values[std::size_t(row) * m_columns + column] = value;
+    }
   };
 
 private:

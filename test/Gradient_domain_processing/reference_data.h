@@ -123,7 +123,8 @@ inline std::array<Eigen::Vector3d, 3> corners(const Mesh& tm, Face f)
 }
 
 // The metrics of the embedding, or, for metric=user, those of the file.
-inline void face_metrics(const std::string& mesh, bool of_user, Mesh& tm, Mesh::Property_map<Face, GDP::Triangle_metric>& metrics)
+inline void face_metrics(const std::string& mesh, bool of_user, Mesh& tm,
+                         Mesh::Property_map<Face, GDP::Triangle_metric>& metrics)
 {
   metrics = tm.add_property_map<Face, GDP::Triangle_metric>("f:metric").first;
   const Table tensors = of_user ? read_table(mesh + "_input_tensors") : Table();
@@ -163,7 +164,8 @@ double relative_error(const Values& values, const Table& answer, const Get& get_
     double low = HUGE_VAL, high = -HUGE_VAL;
     for(std::size_t i = 0; i < answer.size(); ++i)
     {
-      const double expected = answer[i].at(channel), difference = std::abs(get_channel(values[i], int(channel)) - expected);
+      const double expected = answer[i].at(channel),
+                   difference = std::abs(get_channel(values[i], int(channel)) - expected);
       low = (std::min)(low, expected);
       high = (std::max)(high, expected);
       error = difference <= error ? error : std::isnan(difference) ? HUGE_VAL : difference;
@@ -211,7 +213,8 @@ public:
   void print() const
   {
     for(const auto& entry : m_worst)
-      std::cout << entry.first << ": " << entry.second.first << " checks, largest relative error " << entry.second.second << std::endl;
+      std::cout << entry.first << ": " << entry.second.first << " checks, largest relative error "
+                << entry.second.second << std::endl;
   }
 };
 

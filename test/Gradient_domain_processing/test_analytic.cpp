@@ -46,7 +46,8 @@ void check_sphere()
   for(int level = 1; level <= 5; ++level)
   {
     Mesh tm = built<Mesh>(icosphere(level, r));
-    GDP_CHECK(GDP::smooth(tm, GDP::parameters::gradient_weight(3 * t).value_weight(3).area_normalization(false)) == GDP::OK);
+    GDP_CHECK(GDP::smooth(tm, GDP::parameters::gradient_weight(3 * t).value_weight(3).area_normalization(false))
+              == GDP::OK);
     // in the mean of squares: at the twelve irregular vertices convergence is slower by a logarithm
     double squares = 0, worst = 0;
     for(Vertex v : vertices(tm))
@@ -80,8 +81,10 @@ void check_spherical_harmonics(double lambda)
       for(Vertex v : vertices(tm))
         f.push_back(harmonic(tm.point(v)));
       std::vector<double> g(f.size());
-      GDP_CHECK(GDP::process_signal(tm, CGAL::make_property_map(f), CGAL::make_property_map(g),
-        GDP::parameters::gradient_weight(t).value_weight(1.).gradient_scale(lambda).area_normalization(false)) == GDP::OK);
+      GDP_CHECK(GDP::process_signal(
+                  tm, CGAL::make_property_map(f), CGAL::make_property_map(g),
+                  GDP::parameters::gradient_weight(t).value_weight(1.).gradient_scale(lambda).area_normalization(false))
+                == GDP::OK);
       double squares = 0, all = 0;
       for(std::size_t i = 0; i < f.size(); ++i)
       {
@@ -94,8 +97,8 @@ void check_spherical_harmonics(double lambda)
   }
 }
 
-// The flat torus of the plane modulo the columns a and b of a matrix, whatever its points are: the metric says what it is. Plane waves are
-// eigenfunctions, with mu = |k|^2 for the wave vector k.
+// The flat torus of the plane modulo the columns a and b of a matrix, whatever its points are: the metric says what it
+// is. Plane waves are eigenfunctions, with mu = |k|^2 for the wave vector k.
 struct Flat_torus
 {
   Mesh tm;
@@ -111,7 +114,8 @@ struct Flat_torus
     {
       const auto h = tm.halfedge(f);
       const auto t1 = step(tm.source(h), tm.target(h)), t2 = step(tm.source(h), tm.target(tm.next(h)));
-      metrics[f] = GDP::Triangle_metric(t1[0] * t1[0] + t1[1] * t1[1], t1[0] * t2[0] + t1[1] * t2[1], t2[0] * t2[0] + t2[1] * t2[1]);
+      metrics[f] = GDP::Triangle_metric(t1[0] * t1[0] + t1[1] * t1[1], t1[0] * t2[0] + t1[1] * t2[1],
+                                        t2[0] * t2[0] + t2[1] * t2[1]);
     }
   }
 
@@ -119,7 +123,8 @@ struct Flat_torus
   std::array<double, 2> step(Vertex v, Vertex w) const
   {
     const auto wrapped = [](int d, int size) { return (d + size + 1) % size - 1; };
-    const double i = wrapped(int(w) % m - int(v) % m, m) / double(m), j = wrapped(int(w) / m - int(v) / m, n) / double(n);
+    const double i = wrapped(int(w) % m - int(v) % m, m) / double(m),
+                 j = wrapped(int(w) / m - int(v) / m, n) / double(n);
     return {{i * a[0] + j * b[0], i * a[1] + j * b[1]}};
   }
 
@@ -142,7 +147,8 @@ struct Flat_torus
   }
 };
 
-// On a regular grid a wave is an eigenvector of M and of S as well, whose eigenvalues follow from one row of each: to rounding.
+// On a regular grid a wave is an eigenvector of M and of S as well, whose eigenvalues follow from one row of each: to
+// rounding.
 void check_waves_on_a_grid(double lambda)
 {
   const double two_pi = 8 * std::atan(1.), t = 0.05;

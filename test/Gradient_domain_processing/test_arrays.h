@@ -86,8 +86,10 @@ Metrics planar_metrics(const Arrays& arrays, const Tensor& tensor)
   {
     const Vec center = (arrays.points[t[0]] + arrays.points[t[1]] + arrays.points[t[2]]) / 3;
     const Eigen::Matrix2d at_center = tensor(center);
-    const Eigen::Vector2d t1 = (arrays.points[t[1]] - arrays.points[t[0]]).head<2>(), t2 = (arrays.points[t[2]] - arrays.points[t[0]]).head<2>();
-    metrics.given.push_back(GDP::Triangle_metric(t1.dot(at_center * t1), t1.dot(at_center * t2), t2.dot(at_center * t2)));
+    const Eigen::Vector2d t1 = (arrays.points[t[1]] - arrays.points[t[0]]).head<2>(),
+                          t2 = (arrays.points[t[2]] - arrays.points[t[0]]).head<2>();
+    metrics.given.push_back(
+      GDP::Triangle_metric(t1.dot(at_center * t1), t1.dot(at_center * t2), t2.dot(at_center * t2)));
   }
   return metrics;
 }

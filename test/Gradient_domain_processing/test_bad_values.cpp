@@ -42,10 +42,13 @@ struct Problem
   Mesh::Property_map<Face, GDP::Triangle_metric> metric;
 
   Problem()
-    : mesh(mesh_of(sphere(4).noisy(0.02))), in(mesh.add_property_map<Vertex, double>("v:in", 0.).first),
-      out(mesh.add_property_map<Vertex, double>("v:out", 17.).first), alpha(mesh.add_property_map<Vertex, double>("v:alpha", 1.).first),
-      beta(mesh.add_property_map<Face, double>("f:beta", 0.01).first), lambda(mesh.add_property_map<Face, double>("f:lambda", 0.).first),
-      metric(mesh.add_property_map<Face, GDP::Triangle_metric>("f:g").first)
+    : mesh(mesh_of(sphere(4).noisy(0.02)))
+    , in(mesh.add_property_map<Vertex, double>("v:in", 0.).first)
+    , out(mesh.add_property_map<Vertex, double>("v:out", 17.).first)
+    , alpha(mesh.add_property_map<Vertex, double>("v:alpha", 1.).first)
+    , beta(mesh.add_property_map<Face, double>("f:beta", 0.01).first)
+    , lambda(mesh.add_property_map<Face, double>("f:lambda", 0.).first)
+    , metric(mesh.add_property_map<Face, GDP::Triangle_metric>("f:g").first)
   {
     Random random;
     for(Vertex v : mesh.vertices())
@@ -59,8 +62,11 @@ struct Problem
 
   GDP::Error_code run() const
   {
-    return GDP::process_signal(mesh, in, out, GDP::parameters::vertex_value_weight_map(alpha).face_gradient_weight_map(beta)
-                                                .face_gradient_scale_map(lambda).face_metric_map(metric));
+    return GDP::process_signal(mesh, in, out,
+                               GDP::parameters::vertex_value_weight_map(alpha)
+                                 .face_gradient_weight_map(beta)
+                                 .face_gradient_scale_map(lambda)
+                                 .face_metric_map(metric));
   }
   GDP::Error_code run(double a, double b, double l) const
   {
@@ -108,8 +114,9 @@ void test_maps()
     check(GDP::ERROR_INVALID_WEIGHT, [&](Problem& p, int i) { p.beta[Face(i)] = bad; });
   }
   // indefinite, negative, singular, zero
-  for(const GDP::Triangle_metric& bad : {GDP::Triangle_metric(1, 2, 1), GDP::Triangle_metric(-1, 0, -1), GDP::Triangle_metric(-1, 0, 1),
-                                         GDP::Triangle_metric(1, 1, 1), GDP::Triangle_metric(0, 0, 0), GDP::Triangle_metric(0, 0, 1)})
+  for(const GDP::Triangle_metric& bad :
+      {GDP::Triangle_metric(1, 2, 1), GDP::Triangle_metric(-1, 0, -1), GDP::Triangle_metric(-1, 0, 1),
+       GDP::Triangle_metric(1, 1, 1), GDP::Triangle_metric(0, 0, 0), GDP::Triangle_metric(0, 0, 1)})
     check(GDP::ERROR_INVALID_METRIC, [&](Problem& p, int i) { p.metric[Face(i)] = bad; });
 
   // a negative lambda is no error: the gradients are turned round
@@ -192,9 +199,13 @@ struct Settings
 template <class Visitor>
 GDP::Error_code run(Mesh& mesh, const Settings& s, Visitor& visitor)
 {
-  return GDP::smooth(mesh, GDP::parameters::curvature_metric_kind(s.kind).curvature_estimator(s.estimator)
-                             .number_of_iterations(s.iterations).jet_degree(s.jet_degree).curvature_weight(s.curvature_weight)
-                             .presmoothing_weight(s.presmoothing_weight).visitor(std::ref(visitor)));
+  return GDP::smooth(mesh, GDP::parameters::curvature_metric_kind(s.kind)
+                             .curvature_estimator(s.estimator)
+                             .number_of_iterations(s.iterations)
+                             .jet_degree(s.jet_degree)
+                             .curvature_weight(s.curvature_weight)
+                             .presmoothing_weight(s.presmoothing_weight)
+                             .visitor(std::ref(visitor)));
 }
 
 // Counts, and cancels at the call of this number.
@@ -258,8 +269,8 @@ void test_meshes_and_options()
   empty.add_vertex(Point(nan_value, 0, 0));
   GDP_CHECK(run(empty, Settings(), visitor) == GDP::ERROR_EMPTY_MESH);
   Mesh quad = before;
-  const auto a = quad.add_vertex(Point(5, 0, 0)), b = quad.add_vertex(Point(6, 0, 0)), c = quad.add_vertex(Point(6, 1, 0)),
-             d = quad.add_vertex(Point(5, 1, 0));
+  const auto a = quad.add_vertex(Point(5, 0, 0)), b = quad.add_vertex(Point(6, 0, 0)),
+             c = quad.add_vertex(Point(6, 1, 0)), d = quad.add_vertex(Point(5, 1, 0));
   quad.add_face(a, b, c, d);
   Mesh copy = quad;
   GDP_CHECK(run(copy, Settings(), visitor) == GDP::OK); // polygons take part
@@ -306,8 +317,10 @@ void test_blame()
   Problem p;
   Blaming_visitor visitor;
   const auto solver = [&] {
-    return GDP::make_gradient_domain_solver(p.mesh, GDP::parameters::vertex_value_weight_map(p.alpha).face_gradient_weight_map(p.beta)
-      .face_gradient_scale_map(p.lambda).visitor(std::ref(visitor)));
+    return GDP::make_gradient_domain_solver(p.mesh, GDP::parameters::vertex_value_weight_map(p.alpha)
+                                                      .face_gradient_weight_map(p.beta)
+                                                      .face_gradient_scale_map(p.lambda)
+                                                      .visitor(std::ref(visitor)));
   };
   const Vertex v(7), later(20);
   const Face f(5);
@@ -315,7 +328,8 @@ void test_blame()
   std::iota(all.begin(), all.end(), std::size_t(0));
 
   p.alpha[v] = p.alpha[later] = -1;
-  GDP_CHECK(solver().error() == GDP::ERROR_INVALID_WEIGHT && visitor.takes(GDP::ERROR_INVALID_WEIGHT, "vertex", {v, later}));
+  GDP_CHECK(solver().error() == GDP::ERROR_INVALID_WEIGHT
+            && visitor.takes(GDP::ERROR_INVALID_WEIGHT, "vertex", {v, later}));
   p.alpha[v] = p.alpha[later] = 1;
   p.beta[f] = nan_value;
   GDP_CHECK(solver().error() == GDP::ERROR_INVALID_WEIGHT && visitor.takes(GDP::ERROR_INVALID_WEIGHT, "face", {f}));
@@ -327,12 +341,14 @@ void test_blame()
   auto good = solver();
   GDP_CHECK(good.error() == GDP::OK);
   p.in[v] = p.in[later] = nan_value;
-  GDP_CHECK(good.filter(p.in, p.out) == GDP::ERROR_INVALID_SIGNAL && visitor.takes(GDP::ERROR_INVALID_SIGNAL, "vertex", {v, later}));
+  GDP_CHECK(good.filter(p.in, p.out) == GDP::ERROR_INVALID_SIGNAL
+            && visitor.takes(GDP::ERROR_INVALID_SIGNAL, "vertex", {v, later}));
   const auto flat = [](double, double) { return std::make_pair(1., 0.); };
   GDP_CHECK(good.set_metric_from_parameters(GDP::parameters::curvature_metric_kind(flat)) == GDP::ERROR_INVALID_METRIC);
   GDP_CHECK(visitor.takes(GDP::ERROR_INVALID_METRIC, "face", all));
   p.metric[f] = GDP::Triangle_metric(1, 2, 1);
-  GDP_CHECK(good.set_metric(p.metric) == GDP::ERROR_INVALID_METRIC && visitor.takes(GDP::ERROR_INVALID_METRIC, "face", {f}));
+  GDP_CHECK(good.set_metric(p.metric) == GDP::ERROR_INVALID_METRIC
+            && visitor.takes(GDP::ERROR_INVALID_METRIC, "face", {f}));
 
   const std::vector<double> large(p.mesh.number_of_faces(), 1e39);
   std::vector<float> narrow(large.size());
@@ -342,9 +358,11 @@ void test_blame()
 
   const Point point = p.mesh.point(v);
   p.mesh.point(v) = p.mesh.point(later) = Point(0, 1e151, 0);
-  GDP_CHECK(solver().error() == GDP::ERROR_INVALID_POINT && visitor.takes(GDP::ERROR_INVALID_POINT, "vertex", {v, later}));
+  GDP_CHECK(solver().error() == GDP::ERROR_INVALID_POINT
+            && visitor.takes(GDP::ERROR_INVALID_POINT, "vertex", {v, later}));
   p.mesh.point(v) = p.mesh.point(later) = point;
-  const auto a = p.mesh.add_vertex(point), b = p.mesh.add_vertex(point), c = p.mesh.add_vertex(point), d = p.mesh.add_vertex(point);
+  const auto a = p.mesh.add_vertex(point), b = p.mesh.add_vertex(point), c = p.mesh.add_vertex(point),
+             d = p.mesh.add_vertex(point);
   p.mesh.add_face(a, b, c, d); // a polygon shrunk to a point
   GDP_CHECK(solver().error() == GDP::OK);
   p.check_untouched();
@@ -354,7 +372,8 @@ void test_blame()
 
 void test_cancelling()
 {
-  const Mesh before = mesh_of(ellipsoid(30, Vec(1, 0.8, 0.6)).noisy(0.005)); // enough vertices for progress within the curvature
+  // enough vertices for progress within the curvature
+  const Mesh before = mesh_of(ellipsoid(30, Vec(1, 0.8, 0.6)).noisy(0.005));
   for(Estimator estimator : {Estimator::JETS, Estimator::NORMALS})
   {
     const Settings settings = {Kind::ANISOTROPIC, estimator, 2};

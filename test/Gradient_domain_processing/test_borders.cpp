@@ -24,9 +24,12 @@ GDP::Error_code run(Mesh& mesh, GDP::Border_condition condition, double gradient
   auto map = mesh.add_property_map<Vertex, bool>("v:constrained", false).first;
   for(Vertex v : constrained)
     map[v] = true;
-  const GDP::Error_code code = GDP::smooth(mesh, GDP::parameters::vertex_is_constrained_map(map).value_weight(value_weight)
-                                                   .gradient_weight(gradient_weight).gradient_scale(gradient_scale)
-                                                   .border_condition(condition).area_normalization(false));
+  const GDP::Error_code code = GDP::smooth(mesh, GDP::parameters::vertex_is_constrained_map(map)
+                                                   .value_weight(value_weight)
+                                                   .gradient_weight(gradient_weight)
+                                                   .gradient_scale(gradient_scale)
+                                                   .border_condition(condition)
+                                                   .area_normalization(false));
   mesh.remove_property_map(map);
   return code;
 }
@@ -82,7 +85,8 @@ void test_fixed_and_free()
   GDP_CHECK_NEAR(height, 0, 1e-12);
 }
 
-// A regular polygon of n vertices scales by the factor of the one-dimensional energy, which converges to 1 / (1 + t / r^2).
+// A regular polygon of n vertices scales by the factor of the one-dimensional energy, which converges to 1 / (1 + t /
+// r^2).
 void test_circles()
 {
   double error[2];
@@ -105,12 +109,14 @@ void test_circles()
           const double found = vec(mesh.point(v)).head<2>().norm() / radius;
           GDP_CHECK_NEAR(found, discrete, 1e-12);
           largest = (std::max)(largest, std::abs(found - smooth));
-          GDP_CHECK_NEAR((vec(mesh.point(v)) / radius - vec(before.point(v)) * found / radius).head<2>().norm(), 0, 1e-12);
+          GDP_CHECK_NEAR((vec(mesh.point(v)) / radius - vec(before.point(v)) * found / radius).head<2>().norm(), 0,
+                         1e-12);
         }
       error[i] = largest;
       GDP_CHECK(largest < 2e-3);
     }
-  std::cout << "circle against 1 / (1 + t / r^2): " << error[0] << ", with twice the vertices " << error[1] << std::endl;
+  std::cout << "circle against 1 / (1 + t / r^2): " << error[0] << ", with twice the vertices " << error[1]
+            << std::endl;
   GDP_CHECK(error[1] < 0.3 * error[0]);
 }
 
@@ -189,7 +195,8 @@ void test_signals()
   for(Vertex v : mesh.vertices())
     f[v] = mesh.is_border(v) ? std::sin(2 * std::atan2(mesh.point(v).y(), mesh.point(v).x())) : random();
   const auto run = [&](GDP::Border_condition condition) {
-    return GDP::process_signal(mesh, f, g, GDP::parameters::gradient_weight(0.05).area_normalization(false).border_condition(condition));
+    return GDP::process_signal(
+      mesh, f, g, GDP::parameters::gradient_weight(0.05).area_normalization(false).border_condition(condition));
   };
   const double h = 2 * std::sin(pi / n), c = std::cos(4 * pi / n);
   const double factor = 1 / (1 + 0.05 * 6 * (1 - c) / (h * h * (2 + c)));

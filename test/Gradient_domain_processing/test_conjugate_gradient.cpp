@@ -78,7 +78,8 @@ void check_agreement()
   check_agreement(stretched_patch(), GDP::parameters::gradient_weight(1e-2));
   check_agreement(icosphere(0), GDP::parameters::gradient_weight(1e-2));
   for(const auto kind : {GDP::Curvature_metric_kind::EDGE_AWARE, GDP::Curvature_metric_kind::ANISOTROPIC})
-    check_agreement(jittered(box(40), 1e-3, 5), GDP::parameters::gradient_weight(1e-2).curvature_weight(1.).curvature_metric_kind(kind));
+    check_agreement(jittered(box(40), 1e-3, 5),
+                    GDP::parameters::gradient_weight(1e-2).curvature_weight(1.).curvature_metric_kind(kind));
 }
 
 // Without a value weight, all is held by a few vertices: the hardest system there is.

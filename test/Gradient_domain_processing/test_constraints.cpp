@@ -48,7 +48,8 @@ Eigen::MatrixXd expected(const Mesh& mesh, const Settings& settings)
   std::vector<char> is_fixed(mesh.number_of_vertices(), 0);
   for(Vertex v : settings.constrained)
     is_fixed[v] = 1;
-  const Eigen::MatrixXd mass = settings.value_weight * Eigen::MatrixXd(m), stiffness = settings.gradient_weight * Eigen::MatrixXd(s);
+  const Eigen::MatrixXd mass = settings.value_weight * Eigen::MatrixXd(m),
+                        stiffness = settings.gradient_weight * Eigen::MatrixXd(s);
   const Eigen::MatrixXd f = positions(mesh);
   return Dense_energy::dirichlet(mass + stiffness, mass * f + settings.gradient_scale * stiffness * f, f, is_fixed);
 }
@@ -135,7 +136,8 @@ void test_linear_precision()
     is_border[v] = mesh.is_border(v);
     f[v] = is_border[v] ? linear(v) : random();
   }
-  GDP_CHECK(GDP::process_signal(mesh, f, g, GDP::parameters::vertex_is_constrained_map(is_border).value_weight(0)) == GDP::OK);
+  GDP_CHECK(GDP::process_signal(mesh, f, g, GDP::parameters::vertex_is_constrained_map(is_border).value_weight(0))
+            == GDP::OK);
   for(Vertex v : mesh.vertices())
   {
     GDP_CHECK_NEAR(g[v], linear(v), 1e-12);
@@ -183,8 +185,11 @@ void test_masks_of_zeros()
   const auto run = [&] {
     for(Vertex v : mesh.vertices())
       out[v] = untouched;
-    return GDP::process_signal(mesh, in, out, GDP::parameters::vertex_value_weight_map(alpha).face_gradient_weight_map(beta)
-                                                .vertex_is_constrained_map(is_constrained).area_normalization(false));
+    return GDP::process_signal(mesh, in, out,
+                               GDP::parameters::vertex_value_weight_map(alpha)
+                                 .face_gradient_weight_map(beta)
+                                 .vertex_is_constrained_map(is_constrained)
+                                 .area_normalization(false));
   };
   const auto check = [&] {
     GDP_CHECK(run() == GDP::OK);

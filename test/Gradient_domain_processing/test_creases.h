@@ -17,8 +17,8 @@
 #include <iostream>
 #include <string>
 
-// How well filters keep creases (paper, Figure 1). They are compared where they leave the same noise: each can keep more by
-// smoothing less.
+// How well filters keep creases (paper, Figure 1). They are compared where they leave the same noise: each can keep
+// more by smoothing less.
 namespace gdp_test {
 
 namespace GDP = CGAL::Gradient_domain_processing;
@@ -36,9 +36,14 @@ struct Filter
 inline Mesh smoothed(const Mesh& mesh, double weight, const Filter& filter, double scale = 0)
 {
   Mesh result = mesh;
-  GDP_CHECK(GDP::smooth(result, GDP::parameters::gradient_weight(weight).gradient_scale(scale).curvature_metric_kind(filter.kind)
-                                  .curvature_weight(filter.curvature_weight).presmoothing_weight(filter.presmoothing_weight)
-                                  .border_condition(filter.border_condition).number_of_iterations(filter.passes)) == GDP::OK);
+  GDP_CHECK(GDP::smooth(result, GDP::parameters::gradient_weight(weight)
+                                  .gradient_scale(scale)
+                                  .curvature_metric_kind(filter.kind)
+                                  .curvature_weight(filter.curvature_weight)
+                                  .presmoothing_weight(filter.presmoothing_weight)
+                                  .border_condition(filter.border_condition)
+                                  .number_of_iterations(filter.passes))
+            == GDP::OK);
   return result;
 }
 
@@ -48,7 +53,8 @@ inline double angle(const Vec& a, const Vec& b)
   return 2 * std::asin((std::min)(1., (a.normalized() - b.normalized()).norm() / 2)) * 180 / pi;
 }
 
-// Smoothed until so much noise is left. A part has a mesh `noisy`, and measures residual_noise() and crease_error() of what became of it.
+// Smoothed until so much noise is left. A part has a mesh `noisy`, and measures residual_noise() and crease_error() of
+// what became of it.
 template <class Part>
 Mesh smoothed_to(const Part& part, double noise, const Filter& filter)
 {
@@ -85,9 +91,9 @@ Smoothed_part test_creases(const std::string& name, const Part& part, double rem
   const double isotropic = error(Kind::EMBEDDING, result.isotropic);
   const double edge_aware = error(Kind::EDGE_AWARE, result.edge_aware);
   const double anisotropic = error(Kind::ANISOTROPIC, result.anisotropic);
-  std::cout << name << ": dihedral angles off by " << isotropic << " degrees (isotropic), " << edge_aware << " (edge aware, "
-            << isotropic / edge_aware << " times better), " << anisotropic << " (anisotropic, " << isotropic / anisotropic
-            << " times better)" << std::endl;
+  std::cout << name << ": dihedral angles off by " << isotropic << " degrees (isotropic), " << edge_aware
+            << " (edge aware, " << isotropic / edge_aware << " times better), " << anisotropic << " (anisotropic, "
+            << isotropic / anisotropic << " times better)" << std::endl;
   GDP_CHECK(isotropic / edge_aware > 2);
   GDP_CHECK(anisotropic < 0.95 * edge_aware);
   return result;

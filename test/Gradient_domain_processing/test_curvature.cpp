@@ -59,7 +59,8 @@ struct Surface
 Surface ellipsoid_surface(const std::string& name, const Vec& axes)
 {
   const Vec d = axes.cwiseProduct(axes).cwiseInverse();
-  return {name, [axes](int n) { return ellipsoid(n, axes, 0.15); }, [d](const Vec& p) { return Vec(2 * d.cwiseProduct(p)); },
+  return {name, [axes](int n) { return ellipsoid(n, axes, 0.15); },
+          [d](const Vec& p) { return Vec(2 * d.cwiseProduct(p)); },
           [d](const Vec&) { return Mat((2 * d).asDiagonal()); }};
 }
 
@@ -91,7 +92,8 @@ std::vector<Surface> surfaces()
   Surface cylinder;
   cylinder.name = "cylinder";
   cylinder.shape = [](int n) {
-    return grid(4 * n, 2 * n, [](double u, double v) { return Vec(std::cos(2 * pi * u), std::sin(2 * pi * u), 3 * v); }, true);
+    return grid(
+      4 * n, 2 * n, [](double u, double v) { return Vec(std::cos(2 * pi * u), std::sin(2 * pi * u), 3 * v); }, true);
   };
   cylinder.gradient = [](const Vec& p) { return Vec(2 * p.x(), 2 * p.y(), 0); };
   cylinder.hessian = [](const Vec&) { return Mat(Vec(2, 2, 0).asDiagonal()); };
@@ -113,14 +115,24 @@ std::vector<Surface> surfaces()
   torus.hessian = [=](const Vec& p) {
     const double r = p.head<2>().norm();
     const Vec e(p.x() / r, p.y() / r, 0), t(-e.y(), e.x(), 0);
-    return Mat(2 * e * e.transpose() + 2 * (r - big) / r * t * t.transpose() + 2 * Vec::UnitZ() * Vec::UnitZ().transpose());
+    return Mat(2 * e * e.transpose() + 2 * (r - big) / r * t * t.transpose()
+               + 2 * Vec::UnitZ() * Vec::UnitZ().transpose());
   };
 
-  return {ellipsoid_surface("sphere", Vec(1, 1, 1)), cylinder, torus, ellipsoid_surface("ellipsoid", Vec(1, 0.8, 0.6)),
-          graph("saddle", [](double x, double y) { return (x * x - y * y) / 2; },
-                [](double x, double y) { return std::array<double, 5>{{x, -y, 1, 0, -1}}; }),
-          graph("monkey saddle", [](double x, double y) { return (x * x * x - 3 * x * y * y) / 3; },
-                [](double x, double y) { return std::array<double, 5>{{x * x - y * y, -2 * x * y, 2 * x, -2 * y, -2 * x}}; })};
+  return {ellipsoid_surface("sphere", Vec(1, 1, 1)),
+          cylinder,
+          torus,
+          ellipsoid_surface("ellipsoid", Vec(1, 0.8, 0.6)),
+          graph(
+            "saddle", [](double x, double y) { return (x * x - y * y) / 2; },
+            [](double x, double y) {
+              return std::array<double, 5>{{x, -y, 1, 0, -1}};
+            }),
+          graph(
+            "monkey saddle", [](double x, double y) { return (x * x * x - 3 * x * y * y) / 3; },
+            [](double x, double y) {
+              return std::array<double, 5>{{x * x - y * y, -2 * x * y, 2 * x, -2 * y, -2 * x}};
+            })};
 }
 
 template <class Tag>
@@ -136,7 +148,8 @@ std::vector<Curvature> curvatures(const Mesh& mesh, int degree, double presmooth
   return result;
 }
 
-// The largest error of the tensor, and of the directions where they are well defined, relative to the largest curvature.
+// The largest error of the tensor, and of the directions where they are well defined, relative to the largest
+// curvature.
 struct Errors
 {
   double tensor = 0, direction = 0;
@@ -183,7 +196,8 @@ void test_convergence()
         {
           if(i == 2 && scale != 1e-3)
             continue;
-          e = errors(surface, shape, scale, curvatures<CGAL::Parallel_if_available_tag>(mesh_of(shape.scaled(scale)), degree));
+          e = errors(surface, shape, scale,
+                     curvatures<CGAL::Parallel_if_available_tag>(mesh_of(shape.scaled(scale)), degree));
           if(scale == 1e-3)
             error[i] = e.tensor;
           GDP_CHECK_NEAR(e.tensor, error[i], 1e-7); // no scale is special
@@ -192,8 +206,8 @@ void test_convergence()
           GDP_CHECK(e.direction < 0.01);
       }
       const double order = std::log2(error[0] / error[2]) / 2;
-      std::cout << surface.name << ", degree " << degree << ": largest error " << error[0] << " " << error[1] << " " << error[2]
-                << ", order " << order << std::endl;
+      std::cout << surface.name << ", degree " << degree << ": largest error " << error[0] << " " << error[1] << " "
+                << error[2] << ", order " << order << std::endl;
       GDP_CHECK(error[2] < (degree == 2 ? 0.08 : 0.02));
       GDP_CHECK(order > (degree == 2 ? 0.8 : 1.8) || error[2] < 1e-6);
     }
@@ -210,19 +224,25 @@ void test_concurrency()
       const auto b = curvatures<CGAL::Parallel_if_available_tag>(mesh, degree, 1e-3);
       for(std::size_t v = 0; v < a.size(); ++v)
       {
-        GDP_CHECK(same_bits(a[v].min_curvature, b[v].min_curvature) && same_bits(a[v].max_curvature, b[v].max_curvature));
+        GDP_CHECK(same_bits(a[v].min_curvature, b[v].min_curvature)
+                  && same_bits(a[v].max_curvature, b[v].max_curvature));
         for(int i = 0; i < 3; ++i)
-          GDP_CHECK(same_bits(a[v].min_direction[i], b[v].min_direction[i]) && same_bits(a[v].max_direction[i], b[v].max_direction[i]));
+          GDP_CHECK(same_bits(a[v].min_direction[i], b[v].min_direction[i])
+                    && same_bits(a[v].max_direction[i], b[v].max_direction[i]));
       }
     }
   }
   Mesh copy = mesh;
   auto map = copy.add_property_map<Vertex, Curvature>("v:k", Curvature{17, 17, Vector(0, 0, 0), Vector(0, 0, 0)}).first;
   for(int degree : {-1, 0, 1, 5})
-    GDP_CHECK(GDP::estimate_curvatures(mesh, map, GDP::parameters::jet_degree(degree).presmoothing_weight(0.)
-                                                    .concurrency_tag(CGAL::Sequential_tag())) == GDP::ERROR_INVALID_PARAMETER);
-  GDP_CHECK(GDP::estimate_curvatures(mesh, map, GDP::parameters::jet_degree(2).presmoothing_weight(-1.)
-                                                  .concurrency_tag(CGAL::Sequential_tag())) == GDP::ERROR_INVALID_WEIGHT);
+    GDP_CHECK(
+      GDP::estimate_curvatures(
+        mesh, map, GDP::parameters::jet_degree(degree).presmoothing_weight(0.).concurrency_tag(CGAL::Sequential_tag()))
+      == GDP::ERROR_INVALID_PARAMETER);
+  GDP_CHECK(
+    GDP::estimate_curvatures(
+      mesh, map, GDP::parameters::jet_degree(2).presmoothing_weight(-1.).concurrency_tag(CGAL::Sequential_tag()))
+    == GDP::ERROR_INVALID_WEIGHT);
   for(Vertex v : mesh.vertices())
     GDP_CHECK(map[v].min_curvature == 17);
 }
@@ -246,14 +266,18 @@ struct With_metric
 
   GDP::Error_code run(Kind kind, double weight, bool area_normalization = false)
   {
-    return GDP::curvature_metric(mesh, metric, GDP::parameters::vertex_curvature_map(curvature).curvature_metric_kind(kind)
-                                                 .curvature_weight(weight).area_normalization(area_normalization));
+    return GDP::curvature_metric(mesh, metric,
+                                 GDP::parameters::vertex_curvature_map(curvature)
+                                   .curvature_metric_kind(kind)
+                                   .curvature_weight(weight)
+                                   .area_normalization(area_normalization));
   }
 
   template <class Functor>
   GDP::Error_code run_functor(const Functor& functor)
   {
-    return GDP::curvature_metric(mesh, metric, GDP::parameters::vertex_curvature_map(curvature).curvature_metric_kind(functor));
+    return GDP::curvature_metric(mesh, metric,
+                                 GDP::parameters::vertex_curvature_map(curvature).curvature_metric_kind(functor));
   }
 
   // J^T (s1 d1 d1^T + s2 d2 d2^T) J
@@ -293,7 +317,8 @@ void test_embedding()
   for(Face f : m.mesh.faces())
   {
     const auto c = corners(m.mesh, f);
-    const Vec t1 = vec(m.mesh.point(c[1])) - vec(m.mesh.point(c[0])), t2 = vec(m.mesh.point(c[2])) - vec(m.mesh.point(c[0]));
+    const Vec t1 = vec(m.mesh.point(c[1])) - vec(m.mesh.point(c[0])),
+              t2 = vec(m.mesh.point(c[2])) - vec(m.mesh.point(c[0]));
     GDP_CHECK_NEAR(m.embedding[f].g11(), t1.dot(t1), 1e-14);
     GDP_CHECK_NEAR(m.embedding[f].g12(), t1.dot(t2), 1e-14);
     GDP_CHECK_NEAR(m.embedding[f].g22(), t2.dot(t2), 1e-14);
@@ -352,7 +377,8 @@ void test_kinds()
     for(Vertex v : m.mesh.vertices())
     {
       const double angle = random.in(0, 2 * pi);
-      m.curvature[v] = {k, k, Vector(std::cos(angle), std::sin(angle), 0), Vector(-std::sin(angle), std::cos(angle), 0)};
+      m.curvature[v] = {k, k, Vector(std::cos(angle), std::sin(angle), 0),
+                        Vector(-std::sin(angle), std::cos(angle), 0)};
     }
     GDP_CHECK(m.run(Kind::ANISOTROPIC, 0.5) == GDP::OK);
     m.check(1 + 0.5 * k * k, d1, 1 + 0.5 * k * k, d2, 1e-11);
@@ -403,7 +429,8 @@ void test_definiteness()
     }
 }
 
-// The part of the area that a metric adds, which is eps (k1^2 + k2^2) for the edge-aware one: its relative error on a unit sphere.
+// The part of the area that a metric adds, which is eps (k1^2 + k2^2) for the edge-aware one: its relative error on a
+// unit sphere.
 double error_on_sphere(const With_metric& m, double eps)
 {
   double sum = 0;
@@ -436,13 +463,19 @@ void test_estimators_and_maps()
     double error[2];
     for(int i : {0, 1})
     {
-      GDP_CHECK(GDP::curvature_metric(m.mesh, m.metric,
-                                      GDP::parameters::curvature_weight(0.5).area_normalization(false).presmoothing_weight(noise == 0 ? 0. : 1e-2)
-                                        .curvature_estimator(i == 0 ? GDP::Curvature_estimator::JETS : GDP::Curvature_estimator::NORMALS)) == GDP::OK);
+      GDP_CHECK(GDP::curvature_metric(
+                  m.mesh, m.metric,
+                  GDP::parameters::curvature_weight(0.5)
+                    .area_normalization(false)
+                    .presmoothing_weight(noise == 0 ? 0. : 1e-2)
+                    .curvature_estimator(i == 0 ? GDP::Curvature_estimator::JETS : GDP::Curvature_estimator::NORMALS))
+                == GDP::OK);
       error[i] = error_on_sphere(m, 0.5);
-      GDP_CHECK(error[i] < (i == 0 ? 0.03 : 0.25) + 5 * noise); // averaged normals of an irregular mesh are off by themselves
+      // averaged normals of an irregular mesh are off by themselves
+      GDP_CHECK(error[i] < (i == 0 ? 0.03 : 0.25) + 5 * noise);
     }
-    std::cout << "sphere with noise " << noise << ": error of jets " << error[0] << ", of normals " << error[1] << std::endl;
+    std::cout << "sphere with noise " << noise << ": error of jets " << error[0] << ", of normals " << error[1]
+              << std::endl;
   }
 
 #if CGAL_VERSION_NR >= 1060000000
@@ -450,10 +483,12 @@ void test_estimators_and_maps()
   namespace PMP = CGAL::Polygon_mesh_processing;
   typedef PMP::Principal_curvatures_and_directions<Kernel> Pmp_curvature;
   auto map = exact.mesh.add_property_map<Vertex, Pmp_curvature>("v:pmp").first;
-  PMP::interpolated_corrected_curvatures(exact.mesh, CGAL::parameters::vertex_principal_curvatures_and_directions_map(map)
-                                                       .ball_radius(0.3));
-  GDP_CHECK(GDP::curvature_metric(exact.mesh, exact.metric, GDP::parameters::vertex_curvature_map(map).curvature_weight(0.5)
-                                                              .area_normalization(false)) == GDP::OK);
+  PMP::interpolated_corrected_curvatures(
+    exact.mesh, CGAL::parameters::vertex_principal_curvatures_and_directions_map(map).ball_radius(0.3));
+  GDP_CHECK(
+    GDP::curvature_metric(exact.mesh, exact.metric,
+                          GDP::parameters::vertex_curvature_map(map).curvature_weight(0.5).area_normalization(false))
+    == GDP::OK);
   const double error = error_on_sphere(exact, 0.5);
   std::cout << "curvatures of Polygon_mesh_processing: error " << error << std::endl;
   GDP_CHECK(error < 0.1);

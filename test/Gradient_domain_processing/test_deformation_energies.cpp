@@ -37,12 +37,13 @@ void test_modified_dirichlet_of_a_sphere()
   for(int level = 3; level <= 4; ++level)
   {
     const Arrays sphere = arrays_of(icosphere(level));
-    const Eigen::VectorXd z = sampled(sphere, [](const Vec& p) { return p.z(); }), one = Eigen::VectorXd::Ones(z.size());
+    const Eigen::VectorXd z = sampled(sphere, [](const Vec&p) { return p.z(); }), one = Eigen::VectorXd::Ones(z.size());
     const std::vector<double> masses = lumped_masses(sphere, Metrics(), true);
     const double norm = z.cwiseAbs2().dot(Eigen::Map<const Eigen::VectorXd>(masses.data(), z.size()));
     const double four_pi = 16 * std::atan(1.);
 
-    const Sparse of_mesh = modified_dirichlet_of(sphere), of_sphere = modified_dirichlet(sphere, Metrics(), sphere.points, true);
+    const Sparse of_mesh = modified_dirichlet_of(sphere),
+                 of_sphere = modified_dirichlet(sphere, Metrics(), sphere.points, true);
     GDP_CHECK_NEAR(energy(of_mesh, one) / 2, four_pi, 0.002 * four_pi);
     GDP_CHECK_NEAR(energy(of_mesh, z) / norm, 4, 0.015);
     const double error[2] = {energy(of_sphere, one) / 2 / four_pi - 1, energy(of_sphere, z) / norm / 4 - 1};
@@ -101,7 +102,9 @@ void test_gradients()
         GDP_CHECK_NEAR((dihedral_angle(more) - dihedral_angle(less)) / (2 * step), dihedral[i][k], 1e-7);
         if(i < 3)
         {
-          const auto half_cross = [](const std::array<Vec, 4>& q) { return (q[1] - q[0]).cross(q[2] - q[0]).norm() / 2; };
+          const auto half_cross = [](const std::array<Vec, 4>& q) {
+            return (q[1] - q[0]).cross(q[2] - q[0]).norm() / 2;
+          };
           GDP_CHECK_NEAR((half_cross(more) - half_cross(less)) / (2 * step), area[i][k], 1e-8);
         }
       }
@@ -138,7 +141,8 @@ double shell_energy(const Soup& rest, const Soup& moved, const Shell_stiffness& 
     const int k = a.triangles[c / 3][c % 3], l = a.triangles[d / 3][d % 3];
     const double angle = dihedral_angle({{b.points[i], b.points[j], b.points[k], b.points[l]}})
                        - dihedral_angle({{a.points[i], a.points[j], a.points[k], a.points[l]}});
-    sum += 3 * stiffness.bending * length * length / (area(a, a.triangles[c / 3]) + area(a, a.triangles[d / 3])) * angle * angle;
+    sum += 3 * stiffness.bending * length * length / (area(a, a.triangles[c / 3]) + area(a, a.triangles[d / 3])) * angle
+           * angle;
   }
   return sum / 2;
 }
@@ -152,7 +156,8 @@ void test_shell_hessian()
   for(double& x : direction)
     x = random(-1, 1);
   const double step = 1e-5;
-  for(const Shell_stiffness& stiffness : {Shell_stiffness{1, 0, 0}, Shell_stiffness{0, 1, 0}, Shell_stiffness{0, 0, 1}, Shell_stiffness{2, 3, 4}})
+  for(const Shell_stiffness& stiffness :
+      {Shell_stiffness{1, 0, 0}, Shell_stiffness{0, 1, 0}, Shell_stiffness{0, 0, 1}, Shell_stiffness{2, 3, 4}})
   {
     const Sparse hessian = shell_hessian(arrays_of(rest), stiffness, true);
     double sum = 0;
@@ -180,7 +185,8 @@ Eigen::MatrixXd rigid_motions(const Arrays& arrays)
   return motions;
 }
 
-// Semidefinite; with bending and stretching its kernel is that of the rigid motions, bending alone lets a shell grow as well.
+// Semidefinite; with bending and stretching its kernel is that of the rigid motions, bending alone lets a shell grow as
+// well.
 void test_kernel_of_shells()
 {
   for(const Soup& soup : {bumpy_sphere(1), bumpy_patch(5, 4)})

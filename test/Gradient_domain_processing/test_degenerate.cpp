@@ -37,8 +37,12 @@ struct Settings
 template <class Triangle_mesh>
 GDP::Error_code run(Triangle_mesh& mesh, const Settings& s)
 {
-  return GDP::smooth(mesh, GDP::parameters::gradient_weight(s.weight).gradient_scale(s.scale).curvature_metric_kind(s.kind)
-                             .curvature_weight(s.curvature_weight).curvature_estimator(s.estimator).number_of_iterations(s.iterations));
+  return GDP::smooth(mesh, GDP::parameters::gradient_weight(s.weight)
+                             .gradient_scale(s.scale)
+                             .curvature_metric_kind(s.kind)
+                             .curvature_weight(s.curvature_weight)
+                             .curvature_estimator(s.estimator)
+                             .number_of_iterations(s.iterations));
 }
 
 std::vector<Settings> all_settings()
@@ -46,7 +50,8 @@ std::vector<Settings> all_settings()
   std::vector<Settings> result(1);
   for(double scale : {0., 2.})
     for(Estimator estimator : {Estimator::JETS, Estimator::NORMALS})
-      for(Kind kind : {Kind::EMBEDDING, Kind::EDGE_AWARE, Kind::ANISOTROPIC, Kind::PRESERVE_CONVEX, Kind::PRESERVE_CONCAVE})
+      for(Kind kind :
+          {Kind::EMBEDDING, Kind::EDGE_AWARE, Kind::ANISOTROPIC, Kind::PRESERVE_CONVEX, Kind::PRESERVE_CONCAVE})
       {
         Settings s;
         s.kind = kind;
@@ -59,8 +64,8 @@ std::vector<Settings> all_settings()
 
 // ---- degenerate faces
 
-// Splits the edge ab on the side of face `f` only: the gap between the halves and the neighbor is a cap a, b, m, of no height
-// where m is on the edge.
+// Splits the edge ab on the side of face `f` only: the gap between the halves and the neighbor is a cap a, b, m, of no
+// height where m is on the edge.
 Shape with_cap(Shape shape, int f, double along, const Vec& offset)
 {
   const auto t = shape.triangles[f];
@@ -114,16 +119,21 @@ std::vector<Case> degenerate_cases()
     add(where + "a stack of caps", shape);
     add(where + "flattened to a line", base.mapped([](const Vec& p) { return Vec(p.x(), 2 * p.x(), -p.x()); }));
     add(where + "flattened to a plane", base.mapped([](const Vec& p) { return Vec(p.x(), p.y(), 0.5 * p.x()); }));
-    add(where + "flattened by 1e-12", base.mapped([](const Vec& p) { return Vec(p.x(), 1e-12 * p.y(), 1e-12 * p.z()); }));
+    add(where + "flattened by 1e-12",
+        base.mapped([](const Vec& p) { return Vec(p.x(), 1e-12 * p.y(), 1e-12 * p.z()); }));
     add(where + "half of it is a point", base.mapped([](const Vec& p) { return p.x() < 0.3 ? Vec(0, 0, 0) : p; }));
     add(where + "all of it is a point", base.mapped([](const Vec&) { return Vec(3, 4, 5); }));
     for(double h : {0., 1e-12})
     {
       add(where + "a component is a point", base + sphere(2).scaled(h).moved(Vec(3, 0, 0)));
-      add(where + "a component is a line", base + square(3).mapped([&](const Vec& p) { return Vec(3 + p.x() + p.y(), h * p.y(), 0); }));
+      add(where + "a component is a line",
+          base + square(3).mapped([&](const Vec& p) { return Vec(3 + p.x() + p.y(), h * p.y(), 0); }));
       add(where + "a strip of needles", base + grid(10, 1, [&](double u, double v) { return Vec(3 + u, h * v, 0); }));
-      add(where + "a strip of caps beside a border", grid(10, 10, [&](double u, double v) { return Vec(u, v == 1 ? 0.9 + h : v, 0.1 * u * u); }));
-      add(where + "a strip inside", grid(10, 10, [&](double u, double v) { return Vec(std::abs(u - 0.5) < 0.01 ? 0.4 + h : u, v, 0.1 * u * u); }));
+      add(where + "a strip of caps beside a border",
+          grid(10, 10, [&](double u, double v) { return Vec(u, v == 1 ? 0.9 + h : v, 0.1 * u * u); }));
+      add(where + "a strip inside", grid(10, 10, [&](double u, double v) {
+            return Vec(std::abs(u - 0.5) < 0.01 ? 0.4 + h : u, v, 0.1 * u * u);
+          }));
     }
     add(where + "components of very different size", base + base.scaled(1e-8).moved(Vec(3, 0, 0)));
     for(double size : {1e-150, 1e-155, 1e-159}) // their squares are hardly numbers any more
@@ -133,8 +143,18 @@ std::vector<Case> degenerate_cases()
     shape.points.push_back(Vec(1, 2, 3));
     shape.points.push_back(base.points[0]);
     add(where + "vertices without a face", shape);
-    add(where + "a single face", [] { Shape t; t.points = {Vec(0, 0, 0), Vec(1, 0, 0), Vec(0, 1, 0)}; t.triangles = {{{0, 1, 2}}}; return t; }());
-    add(where + "a single face, a line", [] { Shape t; t.points = {Vec(0, 0, 0), Vec(1, 0, 0), Vec(3, 0, 0)}; t.triangles = {{{0, 1, 2}}}; return t; }());
+    add(where + "a single face", [] {
+      Shape t;
+      t.points = {Vec(0, 0, 0), Vec(1, 0, 0), Vec(0, 1, 0)};
+      t.triangles = {{{0, 1, 2}}};
+      return t;
+    }());
+    add(where + "a single face, a line", [] {
+      Shape t;
+      t.points = {Vec(0, 0, 0), Vec(1, 0, 0), Vec(3, 0, 0)};
+      t.triangles = {{{0, 1, 2}}};
+      return t;
+    }());
   }
   return cases;
 }
@@ -198,16 +218,18 @@ void test_degenerate_faces()
       high = (std::max)(high, g[v]);
     }
     for(auto e : before.edges())
-      length = (std::max)(length, (vec(before.point(before.vertex(e, 0))) - vec(before.point(before.vertex(e, 1)))).norm());
+      length =
+        (std::max)(length, (vec(before.point(before.vertex(e, 0))) - vec(before.point(before.vertex(e, 1)))).norm());
     // where a component has no area to speak of, values weigh nothing and rounding decides on its constant
-    const bool has_constant = total_area(before) > 1e-6 * length * length && c.name.find("very different size") == std::string::npos;
+    const bool has_constant =
+      total_area(before) > 1e-6 * length * length && c.name.find("very different size") == std::string::npos;
     if(has_constant && !GDP_CHECK(low > -1 && high < 3))
       std::cerr << "  " << c.name << ", stitched: from " << low << " to " << high << std::endl;
   }
 }
 
-// An almost-zero face does not change its neighbors more than its size warrants. In the limit of no height, a cap ties its
-// middle vertex to its edge: the result is that of the mesh without it.
+// An almost-zero face does not change its neighbors more than its size warrants. In the limit of no height, a cap ties
+// its middle vertex to its edge: the result is that of the mesh without it.
 void test_continuity()
 {
   const Shape base = sphere(4).noisy(0.02);
@@ -353,7 +375,8 @@ void test_float()
 
 void test_long_runs()
 {
-  const Shape open = jittered_square(10).mapped([](const Vec& p) { return Vec(p.x(), p.y(), 0.2 * std::sin(4 * p.x())); }).noisy(0.02);
+  const Shape open =
+    jittered_square(10).mapped([](const Vec& p) { return Vec(p.x(), p.y(), 0.2 * std::sin(4 * p.x())); }).noisy(0.02);
   for(Settings s : all_settings())
   {
     if(s.scale != 0)

@@ -176,7 +176,8 @@ Mesh refined(const Mesh& mesh)
 
 void keeps_detail()
 {
-  for(const Mesh& clean : {bumpy_sphere(40, 12, 0.1), refined(bumpy_sphere(14, 6, 0.2)), mesh_of(ellipsoid(10, Vec(1, 0.5, 0.25)))})
+  for(const Mesh& clean :
+      {bumpy_sphere(40, 12, 0.1), refined(bumpy_sphere(14, 6, 0.2)), mesh_of(ellipsoid(10, Vec(1, 0.5, 0.25)))})
   {
     Mesh mesh = clean;
     GDP_CHECK(GDP::denoise(mesh) == GDP::OK);
@@ -184,7 +185,8 @@ void keeps_detail()
     add_noise(mesh, 0.2);
     const Mesh noisy = mesh;
     GDP_CHECK(GDP::denoise(mesh) == GDP::OK);
-    std::cout << "clean " << moved << " degrees, noisy " << mean_normal_angle(clean, noisy) << ", denoised " << mean_normal_angle(clean, mesh) << std::endl;
+    std::cout << "clean " << moved << " degrees, noisy " << mean_normal_angle(clean, noisy) << ", denoised "
+              << mean_normal_angle(clean, mesh) << std::endl;
     GDP_CHECK(moved < 0.5);
     GDP_CHECK(mean_normal_angle(clean, mesh) < 0.8 * mean_normal_angle(clean, noisy));
   }
@@ -249,7 +251,8 @@ void keeps_borders(const Mesh& clean, double noise, double bound)
   GDP_CHECK(GDP::denoise(few, GDP::parameters::number_of_iterations(5)) == GDP::OK);
   GDP_CHECK(GDP::denoise(many, GDP::parameters::number_of_iterations(20)) == GDP::OK);
   const double after_few = mean_border_angle(clean, few), after_many = mean_border_angle(clean, many);
-  std::cout << "border " << mean_border_angle(clean, noisy) << " degrees, after 5 passes " << after_few << ", after 20 " << after_many << std::endl;
+  std::cout << "border " << mean_border_angle(clean, noisy) << " degrees, after 5 passes " << after_few << ", after 20 "
+            << after_many << std::endl;
   GDP_CHECK(after_few < bound);
   GDP_CHECK(after_many <= after_few);
   int moved = 0;
@@ -298,7 +301,8 @@ void stays_finite()
   GDP_CHECK(is_finite(mesh));
 }
 
-// Between the face of h and its neighbor come two triangles that share two edges: their ends are joined by a second edge.
+// Between the face of h and its neighbor come two triangles that share two edges: their ends are joined by a second
+// edge.
 void insert_lens(Mesh& mesh, Mesh::Halfedge_index h, const Point& point)
 {
   const Vertex opposite = mesh.target(mesh.next(h));
@@ -313,7 +317,8 @@ void insert_lens(Mesh& mesh, Mesh::Halfedge_index h, const Point& point)
 void conserves_flow_at_double_edges()
 {
   Mesh mesh;
-  const Vertex a = mesh.add_vertex(Point(0, 0, 0)), b = mesh.add_vertex(Point(1, 0, 0)), c = mesh.add_vertex(Point(0, 1, 0));
+  const Vertex a = mesh.add_vertex(Point(0, 0, 0)), b = mesh.add_vertex(Point(1, 0, 0)),
+               c = mesh.add_vertex(Point(0, 1, 0));
   mesh.add_face(a, b, c);
   mesh.add_face(a, c, b);
   const std::pair<Vertex, Vertex> edges[] = {{a, b}, {b, c}, {c, a}};
@@ -402,7 +407,8 @@ void solves_face_signals()
 
   for(auto e : mesh.edges())
     weight[e] = -1;
-  GDP_CHECK(GDP::process_face_signal(mesh, copy, copy, GDP::parameters::interior_edge_weight_map(weight)) == GDP::ERROR_INVALID_WEIGHT);
+  GDP_CHECK(GDP::process_face_signal(mesh, copy, copy, GDP::parameters::interior_edge_weight_map(weight))
+            == GDP::ERROR_INVALID_WEIGHT);
   signal[Face(0)] = std::numeric_limits<double>::quiet_NaN();
   GDP_CHECK(GDP::process_face_signal(mesh, signal, copy) == GDP::ERROR_INVALID_SIGNAL);
 }

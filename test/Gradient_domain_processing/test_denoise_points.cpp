@@ -57,7 +57,9 @@ Result denoised(const Shape& shape, const GDP::internal::Denoising_options& opti
   GDP::internal::Progress progress;
   Result result;
   result.points = shape.points;
-  GDP_CHECK(GDP::internal::denoise_points(mesh, is_constrained, options, parallel, progress, result.points, result.summary) == GDP::OK);
+  GDP_CHECK(
+    GDP::internal::denoise_points(mesh, is_constrained, options, parallel, progress, result.points, result.summary)
+    == GDP::OK);
   return result;
 }
 
@@ -135,7 +137,8 @@ Shape box() { return cubes({{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}}, 10); }
 Result removes(const char* name, const Shape& clean, const Shape& noisy, double bound)
 {
   const Result result = denoised(noisy);
-  std::cout << name << ": " << angle(clean, noisy.points) << " degrees, denoised " << angle(clean, result.points) << std::endl;
+  std::cout << name << ": " << angle(clean, noisy.points) << " degrees, denoised " << angle(clean, result.points)
+            << std::endl;
   GDP_CHECK(angle(clean, result.points) < bound);
   const Points a = normals(clean, clean.points), b = normals(clean, result.points), c = normals(clean, noisy.points);
   int flipped = 0;
@@ -150,7 +153,8 @@ void removes_noise_of_every_kind()
   const Shape ball = sphere(40);
   GDP_CHECK(removes("white, creased", box(), with_noise(box(), 0.3), 3.).summary.noise_scale == 0);
   GDP_CHECK(removes("white, smooth", ball, with_noise(ball, 0.2), 2.5).summary.noise_scale == 0);
-  GDP_CHECK(removes("white, open", jittered_square(30), with_noise(jittered_square(30), 0.3), 6.).summary.noise_level > 0.3);
+  GDP_CHECK(removes("white, open", jittered_square(30), with_noise(jittered_square(30), 0.3), 6.).summary.noise_level
+            > 0.3);
   GDP_CHECK(removes("correlated, creased", box(), with_noise(box(), 0.25, 3), 3.).summary.noise_scale > 1);
   GDP_CHECK(removes("correlated, smooth", ball, with_noise(ball, 0.25, 3), 3.).summary.noise_scale > 1);
 }
@@ -182,7 +186,8 @@ void removes_spikes()
             << largest_shift(clean.points, result.points) / edge << std::endl;
   GDP_CHECK(largest_shift(clean.points, result.points) < edge);
   std::cout << result.summary.number_of_outliers << " outliers of " << spikes << std::endl;
-  GDP_CHECK(int(result.summary.number_of_outliers) >= spikes - 1 && int(result.summary.number_of_outliers) <= 2 * spikes);
+  GDP_CHECK(int(result.summary.number_of_outliers) >= spikes - 1
+            && int(result.summary.number_of_outliers) <= 2 * spikes);
 }
 
 void keeps_components_apart()
@@ -210,7 +215,8 @@ void leaves_clean_meshes()
 void is_equivariant(const Shape& noisy, const GDP::internal::Denoising_options& options, bool border_is_fixed)
 {
   const auto mesh = indexed(noisy);
-  const std::vector<char> is_constrained = border_is_fixed ? mesh.is_on_border : std::vector<char>(noisy.points.size(), 0);
+  const std::vector<char> is_constrained =
+    border_is_fixed ? mesh.is_on_border : std::vector<char>(noisy.points.size(), 0);
   Eigen::Matrix3d turn;
   turn << 2, -1, 2, 2, 2, -1, -1, 2, 2; // three times a rotation
   const auto map = [&](const Vec& p) { return Vec(1.9 * (turn * p) / 3 + Vec(3, -2, 1)); };
@@ -303,7 +309,8 @@ void refuses_invalid_options()
     GDP::Denoising_summary summary;
     GDP::internal::Progress progress;
     const std::vector<char> free(points.size(), 0);
-    GDP_CHECK(GDP::internal::denoise_points(mesh, free, options, true, progress, points, summary) == GDP::ERROR_INVALID_PARAMETER);
+    GDP_CHECK(GDP::internal::denoise_points(mesh, free, options, true, progress, points, summary)
+              == GDP::ERROR_INVALID_PARAMETER);
     GDP_CHECK(points == noisy.points);
   }
 }

@@ -34,7 +34,8 @@ struct Noisy_part
   {
     double edge = 0;
     for(auto e : clean.edges())
-      edge += (vec(clean.point(clean.vertex(e, 0))) - vec(clean.point(clean.vertex(e, 1)))).norm() / clean.number_of_edges();
+      edge +=
+        (vec(clean.point(clean.vertex(e, 0))) - vec(clean.point(clean.vertex(e, 1)))).norm() / clean.number_of_edges();
     noisy = mesh_of(shape.noisy(noise * edge));
 
     for(auto e : clean.edges())
@@ -184,8 +185,13 @@ void test_enhancement()
   };
   const auto enhanced = [&](Kind kind, double weight) {
     Mesh mesh = noisy;
-    GDP_CHECK(GDP::enhance_details(mesh, GDP::parameters::gradient_weight(weight).curvature_metric_kind(kind).curvature_weight(0.1)
-                                           .presmoothing_weight(3e-5).sharpening_weight(sharpening_weight).sharpening_scale(sharpening_scale)) == GDP::OK);
+    GDP_CHECK(GDP::enhance_details(mesh, GDP::parameters::gradient_weight(weight)
+                                           .curvature_metric_kind(kind)
+                                           .curvature_weight(0.1)
+                                           .presmoothing_weight(3e-5)
+                                           .sharpening_weight(sharpening_weight)
+                                           .sharpening_scale(sharpening_scale))
+              == GDP::OK);
     return ratio(mesh);
   };
   // each with the smoothing that suits it best
@@ -196,8 +202,8 @@ void test_enhancement()
     isotropic = (std::max)(isotropic, enhanced(Kind::EMBEDDING, weight));
     edge_aware = (std::max)(edge_aware, enhanced(Kind::EDGE_AWARE, weight));
   }
-  std::cout << "signal to noise: sharpened " << naive << " dB, smoothed isotropically first " << isotropic << " dB, edge-aware first "
-            << edge_aware << " dB" << std::endl;
+  std::cout << "signal to noise: sharpened " << naive << " dB, smoothed isotropically first " << isotropic
+            << " dB, edge-aware first " << edge_aware << " dB" << std::endl;
   GDP_CHECK(isotropic > naive + 3);
   GDP_CHECK(edge_aware > isotropic + 2);
 }

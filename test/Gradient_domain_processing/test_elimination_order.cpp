@@ -4,7 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The order in which degrees of freedom are eliminated: elimination tree, postorder and fill, against elimination by the book.
+// The order in which degrees of freedom are eliminated: elimination tree, postorder and fill, against elimination by
+// the book.
 
 #include "test_shapes.h"
 #include "test_utils.h"
@@ -39,7 +40,8 @@ std::vector<int> places(const std::vector<int>& order, std::size_t number_of_ver
   return place;
 }
 
-// Columns of the Cholesky factor below the diagonal, without cancellation: eliminating a vertex connects all its later neighbors.
+// Columns of the Cholesky factor below the diagonal, without cancellation: eliminating a vertex connects all its later
+// neighbors.
 Graph eliminated(const Graph& graph, const std::vector<int>& order)
 {
   const int n = int(order.size());
@@ -132,7 +134,9 @@ struct Points_and_graph
   internal::Lists rings;
   Graph graph;
 
-  explicit Points_and_graph(const Shape& shape) : points(shape.points.begin(), shape.points.end()), graph(shape.points.size())
+  explicit Points_and_graph(const Shape& shape)
+    : points(shape.points.begin(), shape.points.end())
+    , graph(shape.points.size())
   {
     for(const auto& t : shape.triangles)
       for(int i = 0; i < 3; ++i)
@@ -171,7 +175,8 @@ void test_numbering()
   GDP_CHECK(std::is_sorted(in_memory.vertex.begin(), in_memory.vertex.end()));
   for(bool parallel : {false, true})
   {
-    const internal::Degrees_of_freedom ordered = internal::elimination_order(mesh.points, mesh.rings, is_solved_for, parallel);
+    const internal::Degrees_of_freedom ordered =
+      internal::elimination_order(mesh.points, mesh.rings, is_solved_for, parallel);
     check(ordered);
     GDP_CHECK(is_postorder(tree_of(mesh.graph, ordered.vertex)));
     std::vector<int> visited;
@@ -183,19 +188,21 @@ void test_numbering()
   }
 }
 
-// Entries of the factor on meshes of several kinds against bounds that leave two per cent: without the maximum flow, without
-// a choice of directions, or with leaves ordered as they come, they are exceeded.
+// Entries of the factor on meshes of several kinds against bounds that leave two per cent: without the maximum flow,
+// without a choice of directions, or with leaves ordered as they come, they are exceeded.
 void test_fill()
 {
   const auto torus = [](double u, double v) {
-    return Vec((3 + std::cos(2 * pi * v)) * std::cos(2 * pi * u), (3 + std::cos(2 * pi * v)) * std::sin(2 * pi * u), std::sin(2 * pi * v));
+    return Vec((3 + std::cos(2 * pi * v)) * std::cos(2 * pi * u), (3 + std::cos(2 * pi * v)) * std::sin(2 * pi * u),
+               std::sin(2 * pi * v));
   };
   const auto check = [](const char* name, const Shape& shape, std::size_t bound) {
     const Points_and_graph mesh(shape);
     const internal::Degrees_of_freedom ordered = mesh.order(true);
     GDP_CHECK(ordered.vertex == mesh.order(false).vertex);
     const std::size_t fill = entries(eliminated(mesh.graph, ordered.vertex));
-    std::cout << name << ": " << mesh.points.size() << " vertices, " << fill << " entries, " << bound << " allowed" << std::endl;
+    std::cout << name << ": " << mesh.points.size() << " vertices, " << fill << " entries, " << bound << " allowed"
+              << std::endl;
     GDP_CHECK(fill <= bound);
   };
   check("square", square(80), 130000);
@@ -207,7 +214,8 @@ void test_fill()
 }
 
 // A smallest separator of a small graph by trying all sets of vertices.
-std::size_t smallest_separator(const Graph& graph, const std::vector<char>& touches_source, const std::vector<char>& touches_sink)
+std::size_t smallest_separator(const Graph& graph, const std::vector<char>& touches_source,
+                               const std::vector<char>& touches_sink)
 {
   const int n = int(graph.size());
   std::size_t smallest = graph.size();
@@ -245,7 +253,8 @@ std::size_t smallest_separator(const Graph& graph, const std::vector<char>& touc
 typedef internal::Minimum_vertex_separator Separator;
 
 // Returns its size; what it leaves of the source's side touches neither the sink nor its side.
-std::size_t separated(const Graph& graph, const std::vector<char>& touches_source, const std::vector<char>& touches_sink)
+std::size_t separated(const Graph& graph, const std::vector<char>& touches_source,
+                      const std::vector<char>& touches_sink)
 {
   Separator separator;
   separator.clear();
@@ -291,7 +300,8 @@ void test_separators()
       touches_source[v] = random.below(3) == 0;
       touches_sink[v] = random.below(3) == 0;
     }
-    GDP_CHECK(separated(graph, touches_source, touches_sink) == smallest_separator(graph, touches_source, touches_sink));
+    GDP_CHECK(separated(graph, touches_source, touches_sink)
+              == smallest_separator(graph, touches_source, touches_sink));
   }
 
   // a cylinder that is narrow in its middle
@@ -355,11 +365,12 @@ void test_threads_and_cancelling()
     {
       int questions = 0;
       bool has_answered_no = false;
-      const internal::Degrees_of_freedom ordered = internal::elimination_order(mesh.points, mesh.rings, all, parallel, [&] {
-        GDP_CHECK(std::this_thread::get_id() == caller && !has_answered_no);
-        has_answered_no = has_answered_no || ++questions == last;
-        return !has_answered_no;
-      });
+      const internal::Degrees_of_freedom ordered =
+        internal::elimination_order(mesh.points, mesh.rings, all, parallel, [&] {
+          GDP_CHECK(std::this_thread::get_id() == caller && !has_answered_no);
+          has_answered_no = has_answered_no || ++questions == last;
+          return !has_answered_no;
+        });
       GDP_CHECK(has_answered_no ? ordered.vertex.empty() : ordered.vertex == expected);
       GDP_CHECK(has_answered_no || parallel); // with help, the caller is asked less
       GDP_CHECK(ordered.of_vertex.size() == mesh.points.size());

@@ -15,8 +15,8 @@
 
 namespace gdp_test {
 
-// The energy in dense matrices, straight from its definition, with nothing of the package: metric tensors are inverted, integrals
-// are sums over monomials of barycentric coordinates. For small meshes without degenerate triangles.
+// The energy in dense matrices, straight from its definition, with nothing of the package: metric tensors are inverted,
+// integrals are sums over monomials of barycentric coordinates. For small meshes without degenerate triangles.
 struct Dense_energy
 {
   const Mesh& mesh;
@@ -65,7 +65,8 @@ struct Dense_energy
             for(int x : {i, j, k})
               ++power[x];
             const double factorial[4] = {1, 1, 2, 6};
-            m(c[i], c[j]) += alpha[c[k]] * 2 * area(f) * factorial[power[0]] * factorial[power[1]] * factorial[power[2]] / 120;
+            m(c[i], c[j]) +=
+              alpha[c[k]] * 2 * area(f) * factorial[power[0]] * factorial[power[1]] * factorial[power[2]] / 120;
           }
     }
     return m;

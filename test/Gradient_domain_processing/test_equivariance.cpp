@@ -4,7 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Results move with the mesh: rotation, translation, scale, another order of vertices and faces. lambda = 1 changes nothing.
+// Results move with the mesh: rotation, translation, scale, another order of vertices and faces. lambda = 1 changes
+// nothing.
 
 #include "test_meshes.h"
 #include "test_utils.h"
@@ -39,9 +40,14 @@ std::vector<Coordinates> filtered(const Soup& soup, const Setting& s)
   Mesh tm = built<Mesh>(soup);
   // those of a mesh of area 10, if absolute
   const double unit = s.relative ? 1 : 10 * s.squared_scale;
-  GDP_CHECK(GDP::smooth(tm, GDP::parameters::gradient_weight(1e-3 * unit).gradient_scale(s.lambda).area_normalization(s.relative)
-    .curvature_metric_kind(s.kind).curvature_estimator(s.estimator).curvature_weight(0.05 * unit)
-    .presmoothing_weight(1e-4 * unit)) == GDP::OK);
+  GDP_CHECK(GDP::smooth(tm, GDP::parameters::gradient_weight(1e-3 * unit)
+                              .gradient_scale(s.lambda)
+                              .area_normalization(s.relative)
+                              .curvature_metric_kind(s.kind)
+                              .curvature_estimator(s.estimator)
+                              .curvature_weight(0.05 * unit)
+                              .presmoothing_weight(1e-4 * unit))
+            == GDP::OK);
   return coordinates(tm);
 }
 
@@ -79,7 +85,8 @@ void check_equivariance(const Soup& soup, const Setting& s, double tolerance)
   {
     Setting at_scale = s;
     at_scale.squared_scale = factor * factor;
-    GDP_CHECK(distance(filtered(scaled(soup, factor), at_scale), scaled(expected, factor).points) <= factor * tolerance);
+    GDP_CHECK(distance(filtered(scaled(soup, factor), at_scale), scaled(expected, factor).points)
+              <= factor * tolerance);
   }
 
   for(unsigned int seed : {1u, 2u})
@@ -115,7 +122,8 @@ int main()
   typedef GDP::Curvature_metric_kind Kind;
   for(const Soup& soup : {bumpy_sphere(3), bumpy_patch(12, 9)})
     for(bool relative : {true, false})
-      for(Kind kind : {Kind::EMBEDDING, Kind::EDGE_AWARE, Kind::ANISOTROPIC, Kind::PRESERVE_CONVEX, Kind::PRESERVE_CONCAVE})
+      for(Kind kind :
+          {Kind::EMBEDDING, Kind::EDGE_AWARE, Kind::ANISOTROPIC, Kind::PRESERVE_CONVEX, Kind::PRESERVE_CONCAVE})
         for(double lambda : {0., 2.})
         {
           Setting s;

@@ -63,9 +63,11 @@ void test_errors()
   const Mesh before = mesh;
   GDP_CHECK(GDP::fair(std::vector<Vertex>(), mesh) == GDP::ok && same_points(mesh, before));
   GDP_CHECK(GDP::fair(mesh.vertices(), mesh) == GDP::error_unconstrained && same_points(mesh, before));
-  GDP_CHECK(GDP::fair(region, mesh, GDP::parameters::number_of_iterations(-1)) == GDP::error_invalid_parameter && same_points(mesh, before));
+  GDP_CHECK(GDP::fair(region, mesh, GDP::parameters::number_of_iterations(-1)) == GDP::error_invalid_parameter
+            && same_points(mesh, before));
   GDP_CHECK(GDP::fair(region, mesh, GDP::parameters::number_of_iterations(0)) == GDP::ok && same_points(mesh, before));
-  GDP_CHECK(GDP::fair(region, mesh, GDP::parameters::restore_volume(true)) == GDP::error_no_volume && same_points(mesh, before));
+  GDP_CHECK(GDP::fair(region, mesh, GDP::parameters::restore_volume(true)) == GDP::error_no_volume
+            && same_points(mesh, before));
   std::vector<Vertex> with_others = region;
   with_others.push_back(Vertex(1000000));
   GDP_CHECK(GDP::fair(with_others, mesh) == GDP::error_invalid_region && same_points(mesh, before));
@@ -85,8 +87,10 @@ void test_constrained()
   auto is_constrained = mesh.add_property_map<Vertex, bool>("v:constrained", false).first;
   is_constrained[region[3]] = true;
   const Mesh before = mesh;
-  GDP_CHECK(GDP::fair(region, mesh, GDP::parameters::vertex_is_constrained_map(is_constrained).number_of_iterations(3)) == GDP::ok);
-  GDP_CHECK(same_bits(mesh.point(region[3]), before.point(region[3])) && same_bits(mesh.point(region.back()), Point(7, 7, 7)));
+  GDP_CHECK(GDP::fair(region, mesh, GDP::parameters::vertex_is_constrained_map(is_constrained).number_of_iterations(3))
+            == GDP::ok);
+  GDP_CHECK(same_bits(mesh.point(region[3]), before.point(region[3]))
+            && same_bits(mesh.point(region.back()), Point(7, 7, 7)));
   GDP_CHECK(mesh.point(region[5]).z() > 0.51);
   GDP_CHECK(is_finite(mesh));
 }
@@ -145,7 +149,8 @@ void test_soups()
   for(Vertex v : region)
     indices.push_back(int(v));
   const std::vector<Point> before = points;
-  GDP_CHECK(GDP::fair(std::vector<int>{int(points.size())}, points, shape.triangles) == GDP::error_invalid_region && points == before);
+  GDP_CHECK(GDP::fair(std::vector<int>{int(points.size())}, points, shape.triangles) == GDP::error_invalid_region
+            && points == before);
   GDP_CHECK(GDP::fair(region, mesh) == GDP::ok && GDP::fair(indices, points, shape.triangles) == GDP::ok);
   for(Vertex v : mesh.vertices())
     GDP_CHECK_NEAR((vec(mesh.point(v)) - vec(points[v])).norm(), 0, 1e-12);

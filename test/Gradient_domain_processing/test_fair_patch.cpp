@@ -20,7 +20,8 @@ using namespace GDP::internal;
 namespace {
 
 const std::vector<GDP::Hessian_kind> kinds = {GDP::Hessian_kind::BILAPLACIAN, GDP::Hessian_kind::CURVED_HESSIAN,
-                                              GDP::Hessian_kind::SQUARED_HESSIAN, GDP::Hessian_kind::TRACE_FREE_HESSIAN};
+                                              GDP::Hessian_kind::SQUARED_HESSIAN,
+                                              GDP::Hessian_kind::TRACE_FREE_HESSIAN};
 
 bool same_bits(const Vec& a, const Vec& b) { return std::memcmp(a.data(), b.data(), sizeof(Vec)) == 0; }
 
@@ -53,13 +54,15 @@ Cap fair_cap(int level, double height, GDP::Hessian_kind kind, int iterations)
   return cap;
 }
 
-// A membrane stays at 0.793, one linear bi-Laplacian gives 0.973, and only the trace-free energy has the sphere as its end.
+// A membrane stays at 0.793, one linear bi-Laplacian gives 0.973, and only the trace-free energy has the sphere as its
+// end.
 void test_sphere()
 {
   GDP_CHECK_NEAR(fair_cap(4, 0.793, GDP::Hessian_kind::BILAPLACIAN, 1).top, 0.973, 0.001);
   GDP_CHECK_NEAR(fair_cap(4, 0.793, GDP::Hessian_kind::BILAPLACIAN, 10).top, 0.9837, 0.001);
   GDP_CHECK_NEAR(fair_cap(4, 0.793, GDP::Hessian_kind::SQUARED_HESSIAN, 10).top, 0.992, 0.001);
-  const Cap coarse = fair_cap(3, 0.793, GDP::Hessian_kind::TRACE_FREE_HESSIAN, 10), fine = fair_cap(4, 0.793, GDP::Hessian_kind::TRACE_FREE_HESSIAN, 10);
+  const Cap coarse = fair_cap(3, 0.793, GDP::Hessian_kind::TRACE_FREE_HESSIAN, 10),
+            fine = fair_cap(4, 0.793, GDP::Hessian_kind::TRACE_FREE_HESSIAN, 10);
   GDP_CHECK_NEAR(coarse.top, 1, 0.002);
   GDP_CHECK_NEAR(fine.top, 1, 0.0005);
   GDP_CHECK(fine.distance < 0.0005);
@@ -87,8 +90,8 @@ void test_smooth_at_the_border()
   }
 }
 
-// On a plane: linear functions exactly, with any border; quadratic ones, of which all energies have the biharmonic as minimizers,
-// to second order.
+// On a plane: linear functions exactly, with any border; quadratic ones, of which all energies have the biharmonic as
+// minimizers, to second order.
 void test_polynomials()
 {
   const auto linear = [](const Vec& p) { return 3 * p.x() - p.y() + 2; };
@@ -125,7 +128,8 @@ void test_polynomials()
   }
 }
 
-// A flat patch in a flat surface moves by rounding only, one that nothing holds is an error, and what is not free stays to the bit.
+// A flat patch in a flat surface moves by rounding only, one that nothing holds is an error, and what is not free stays
+// to the bit.
 void test_constraints()
 {
   const Arrays plane = arrays_of(grid(12, 12));
@@ -175,7 +179,8 @@ void test_patch_is_local()
   {
     for(int v = 0; v < whole.number_of_vertices(); ++v)
       x.row(v) = whole.points[v].transpose();
-    GDP_CHECK(constrained_minimum(hessian_energy(whole, Metrics(), GDP::Hessian_kind::CURVED_HESSIAN, true), is_free, x) == GDP::ok);
+    GDP_CHECK(constrained_minimum(hessian_energy(whole, Metrics(), GDP::Hessian_kind::CURVED_HESSIAN, true), is_free, x)
+              == GDP::ok);
     for(int v = 0; v < whole.number_of_vertices(); ++v)
       whole.points[v] = x.row(v).transpose();
   }

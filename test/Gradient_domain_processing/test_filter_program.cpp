@@ -74,7 +74,8 @@ struct Outcome
 Outcome run(const std::string& arguments, const std::string& before = std::string())
 {
   const fs::path out = folder / "stdout", err = folder / "stderr";
-  const std::string command = "cd \"" + folder.string() + "\" && { " + before + " \"" + program + "\" " + arguments + "; } >stdout 2>stderr";
+  const std::string command =
+    "cd \"" + folder.string() + "\" && { " + before + " \"" + program + "\" " + arguments + "; } >stdout 2>stderr";
   int code = std::system(command.c_str());
 #if defined(__unix__) || defined(__APPLE__)
   code = WIFEXITED(code) ? WEXITSTATUS(code) : -1;
@@ -87,11 +88,13 @@ Outcome run(const std::string& arguments, const std::string& before = std::strin
 
 bool is_one_line(const std::string& text)
 {
-  return std::count(text.begin(), text.end(), '\n') == 1 && text.back() == '\n' && text.compare(0, 24, "gradient_domain_filter: ") == 0;
+  return std::count(text.begin(), text.end(), '\n') == 1 && text.back() == '\n'
+         && text.compare(0, 24, "gradient_domain_filter: ") == 0;
 }
 
 // One line that names `what`, the right code, and no trace in the folder.
-void check_fails(const std::string& arguments, int code, const std::string& what, const std::string& before = std::string())
+void check_fails(const std::string& arguments, int code, const std::string& what,
+                 const std::string& before = std::string())
 {
   const std::size_t files = number_of_files();
   const Outcome outcome = run(arguments, before);
@@ -144,15 +147,18 @@ std::string ply_with_properties(const Mesh& mesh)
   std::ostringstream out;
   out.precision(17);
   out << "ply\nformat ascii 1.0\ncomment a mesh\nelement vertex " << mesh.number_of_vertices()
-      << "\nproperty double x\nproperty double y\nproperty double z\nproperty float nx\nproperty float ny\nproperty float nz\n"
-         "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty int selected\nproperty float quality\nproperty double alpha_weight\n"
-         "element face " << mesh.number_of_faces() << "\nproperty list uchar int vertex_indices\nproperty int part\nend_header\n";
+      << "\nproperty double x\nproperty double y\nproperty double z\nproperty float nx\nproperty float ny\nproperty "
+         "float nz\n"
+         "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty int selected\nproperty float "
+         "quality\nproperty double alpha_weight\n"
+         "element face "
+      << mesh.number_of_faces() << "\nproperty list uchar int vertex_indices\nproperty int part\nend_header\n";
   int i = 0;
   for(auto v : mesh.vertices())
   {
     const auto& p = mesh.point(v);
-    out << p.x() << " " << p.y() << " " << p.z() << " 0 0.5 0.25 " << (i % 3 == 0 ? 255 : 0) << " " << (i * 7) % 256 << " 128 "
-        << (p.x() > 0) << " " << i * 0.5 << " " << 1 + i % 2 << "\n";
+    out << p.x() << " " << p.y() << " " << p.z() << " 0 0.5 0.25 " << (i % 3 == 0 ? 255 : 0) << " " << (i * 7) % 256
+        << " 128 " << (p.x() > 0) << " " << i * 0.5 << " " << 1 + i % 2 << "\n";
     ++i;
   }
   i = 0;
@@ -263,7 +269,8 @@ void test_bad_files(const Mesh& mesh)
   fails("bad.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "no faces");
   fails("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n", "face 0 has 2 corners");
   fails("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1\n", "face 1 has 1 corner\n");
-  write(folder / "quads.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n");
+  write(folder / "quads.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex "
+                              "0 1 0\nendloop\nendfacet\nendsolid\n");
   check_copies("quads.stl copy.stl");
   GDP_CHECK(contents(folder / "copy.stl") == contents(folder / "quads.stl"));
   check_fails("quads.stl out.stl --binary", 1, "face 0 has 4 corners");
@@ -283,15 +290,21 @@ void test_bad_files(const Mesh& mesh)
   fails("bad.ply", head + "element vertex 99999999999\nend_header\n", "without a property");
   fails("bad.ply", head + "element vertex -1\n" + xyz + "end_header\n", "header");
   fails("bad.ply", head + "element vertex 1\nproperty quad x\nend_header\n", "quad");
-  fails("bad.ply", head + "element vertex 1\n" + xyz + "element face 1\nproperty list uchar float vertex_indices\nend_header\n"
-                   + std::string(30, '\0'), "list of integers");
-  fails("bad.ply", head + "element vertex 1\n" + xyz + "element face 1\nproperty list uint int vertex_indices\nend_header\n"
-                   + std::string(12, '\0') + "\xff\xff\xff\xff", "ends");
+  fails("bad.ply",
+        head + "element vertex 1\n" + xyz + "element face 1\nproperty list uchar float vertex_indices\nend_header\n"
+          + std::string(30, '\0'),
+        "list of integers");
+  fails("bad.ply",
+        head + "element vertex 1\n" + xyz + "element face 1\nproperty list uint int vertex_indices\nend_header\n"
+          + std::string(12, '\0') + "\xff\xff\xff\xff",
+        "ends");
 
   // truncated at every kilobyte
-  for(const char* arguments : {"whole.ply --binary", "whole.ply --ascii", "whole.stl --binary", "whole.stl --ascii", "whole.off"})
+  for(const char* arguments :
+      {"whole.ply --binary", "whole.ply --ascii", "whole.stl --binary", "whole.stl --ascii", "whole.off"})
   {
-    const std::string words(arguments), name = words.substr(0, words.find(' ')), extension = name.substr(name.find('.'));
+    const std::string words(arguments), name = words.substr(0, words.find(' ')),
+                                        extension = name.substr(name.find('.'));
     check_succeeds("mesh.off " + words);
     const std::string whole = contents(folder / name);
     fs::remove(folder / name);
@@ -306,7 +319,8 @@ void test_bad_files(const Mesh& mesh)
   {
     write(folder / "cut.obj", obj.substr(0, size));
     const Outcome outcome = run("cut.obj cut.ply");
-    GDP_CHECK(outcome.code == 0 ? outcome.err.find("cut.obj: face") == std::string::npos : outcome.code == 1 && is_one_line(outcome.err));
+    GDP_CHECK(outcome.code == 0 ? outcome.err.find("cut.obj: face") == std::string::npos
+                                : outcome.code == 1 && is_one_line(outcome.err));
     fs::remove(folder / "cut.obj");
     fs::remove(folder / "cut.ply");
   }
@@ -443,8 +457,8 @@ void test_properties(const Mesh& mesh)
 {
   check_succeeds("properties.ply out.ply --ascii --constrain selected --gradient-weight 1e-2");
   const std::string text = contents(folder / "out.ply");
-  for(const char* line : {"property double x\n", "property float nx\n", "property uchar red\n", "property int selected\n",
-                          "property float quality\n", "property int part\n"})
+  for(const char* line : {"property double x\n", "property float nx\n", "property uchar red\n",
+                          "property int selected\n", "property float quality\n", "property int part\n"})
     GDP_CHECK(text.find(line) != std::string::npos);
   const Mesh out = read_ply("out.ply");
   const auto selected = existing_map<Mesh::Vertex_index, std::int32_t>(out, "v:selected");
@@ -457,7 +471,8 @@ void test_properties(const Mesh& mesh)
     const bool is_selected = mesh.point(v).x() > 0, is_moved = mesh.point(v) != out.point(v);
     GDP_CHECK(get(selected, v) == int(is_selected));
     GDP_CHECK(get(quality, v) == float(std::size_t(v)) / 2);
-    GDP_CHECK(get(color, v) == CGAL::IO::Color(std::size_t(v) % 3 == 0 ? 255 : 0, (unsigned char)((std::size_t(v) * 7) % 256), 128));
+    GDP_CHECK(get(color, v)
+              == CGAL::IO::Color(std::size_t(v) % 3 == 0 ? 255 : 0, (unsigned char)((std::size_t(v) * 7) % 256), 128));
     GDP_CHECK(!(is_selected && is_moved)); // to the bit
     kept += is_selected;
     moved += is_moved;
@@ -508,8 +523,9 @@ void test_properties(const Mesh& mesh)
   // normals and colors go through the formats that can hold them
   for(const char* file : {"a.off", "a.obj"})
   {
-    check_copies("properties.ply " + std::string(file), {"not kept: 1 comment, the properties selected, quality, alpha_weight of vertices, "
-                                                          "the property part of faces"});
+    check_copies("properties.ply " + std::string(file),
+                 {"not kept: 1 comment, the properties selected, quality, alpha_weight of vertices, "
+                  "the property part of faces"});
     check_succeeds(std::string(file) + " out.ply --signal color --gradient-scale 2");
     const Mesh back = read_ply("out.ply");
     const auto back_normal = existing_map<Mesh::Vertex_index, Kernel::Vector_3>(back, "v:normal");
@@ -526,17 +542,20 @@ void test_properties(const Mesh& mesh)
 
 void test_other_operations(const Mesh& mesh)
 {
-  for(const char* options : {"--operation enhance-details", "--operation enhance-details --metric edge-aware",
-                             "--signal normal-to-position --gradient-weight 1e-3", "--signal normal-to-position --normal-fit edges",
-                             "--metric anisotropic --curvature normals", "--metric preserve-convex --jet-degree 3 --iterations 2",
-                             "--metric preserve-concave", "--curvature-weight 0.1", "--border fixed", "--border along-border",
-                             "--area-normalization off", "--threads 1", "--restore-volume"})
+  for(const char* options :
+      {"--operation enhance-details", "--operation enhance-details --metric edge-aware",
+       "--signal normal-to-position --gradient-weight 1e-3", "--signal normal-to-position --normal-fit edges",
+       "--metric anisotropic --curvature normals", "--metric preserve-convex --jet-degree 3 --iterations 2",
+       "--metric preserve-concave", "--curvature-weight 0.1", "--border fixed", "--border along-border",
+       "--area-normalization off", "--threads 1", "--restore-volume"})
   {
     check_succeeds("mesh.off out.ply " + std::string(options));
     GDP_CHECK(largest_difference(read_ply("out.ply"), mesh) > 1e-9);
   }
-  write(folder / "strip.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-                              "element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n4 0 1 2 3\n");
+  write(
+    folder / "strip.ply",
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+    "element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n4 0 1 2 3\n");
   check_succeeds("strip.ply out.off");
   GDP_CHECK(read_off(folder / "out.off").number_of_faces() == 2);
   for(const char* name : {"strip.ply", "out.off", "out.ply"})
@@ -546,7 +565,8 @@ void test_other_operations(const Mesh& mesh)
 // A plate with a bump in the middle, which is the region.
 std::string plate_with_bump()
 {
-  std::string text = "ply\nformat ascii 1.0\nelement vertex 81\nproperty double x\nproperty double y\nproperty double z\nproperty int r\n"
+  std::string text = "ply\nformat ascii 1.0\nelement vertex 81\nproperty double x\nproperty double y\nproperty double "
+                     "z\nproperty int r\n"
                      "element face 64\nproperty list uchar int vertex_indices\nend_header\n";
   for(int i = 0; i < 9; ++i)
     for(int j = 0; j < 9; ++j)
@@ -556,8 +576,8 @@ std::string plate_with_bump()
     }
   for(int i = 0; i < 8; ++i)
     for(int j = 0; j < 8; ++j)
-      text += "4 " + std::to_string(9 * i + j) + " " + std::to_string(9 * i + 9 + j) + " " + std::to_string(9 * i + 10 + j) + " "
-              + std::to_string(9 * i + 1 + j) + "\n";
+      text += "4 " + std::to_string(9 * i + j) + " " + std::to_string(9 * i + 9 + j) + " "
+              + std::to_string(9 * i + 10 + j) + " " + std::to_string(9 * i + 1 + j) + "\n";
   return text;
 }
 
@@ -582,7 +602,9 @@ void test_beyond_the_paper(const Mesh& mesh)
   const Mesh low = read_ply("low.ply"), high = read_ply("high.ply");
   double most = 0;
   for(auto v : mesh.vertices())
-    most = (std::max)(most, std::sqrt(((low.point(v) - CGAL::ORIGIN) + (high.point(v) - CGAL::ORIGIN) - (mesh.point(v) - CGAL::ORIGIN)).squared_length()));
+    most = (std::max)(
+      most, std::sqrt(((low.point(v) - CGAL::ORIGIN) + (high.point(v) - CGAL::ORIGIN) - (mesh.point(v) - CGAL::ORIGIN))
+                        .squared_length()));
   GDP_CHECK_NEAR(most, 0, 1e-6);
   GDP_CHECK(largest_difference(low, mesh) > 1e-9 && largest_difference(high, mesh) > 1e-2);
   check_succeeds("mesh.off out.ply --operation band-pass --wavelengths 0.5,2 --metric edge-aware");
@@ -591,7 +613,8 @@ void test_beyond_the_paper(const Mesh& mesh)
   check_fails("mesh.off out2.ply --operation low-pass --wavelengths 0.5,1", 2, "one number");
   check_fails("mesh.off out2.ply --operation low-pass", 2, "--wavelengths");
   for(const char* wrong : {"0", "-1", "x", "1,", "1,2,3", "1;2", "inf"})
-    check_fails("mesh.off out2.ply --operation low-pass --wavelengths '" + std::string(wrong) + "'", 2, "--wavelengths");
+    check_fails("mesh.off out2.ply --operation low-pass --wavelengths '" + std::string(wrong) + "'", 2,
+                "--wavelengths");
   check_fails("mesh.off out2.ply --wavelengths 1", 2, "wavelengths");
 
   check_succeeds("mesh.off out.ply --operation spectrum --count 5 --eigenvalues e.csv");
@@ -613,16 +636,22 @@ void test_beyond_the_paper(const Mesh& mesh)
 // Any polygons, connected in any way; order and number of all stay.
 void test_any_surface()
 {
-  const struct { const char* name; const char* said; const char* first_face; const char* text; } surfaces[] = {
-    {"fan.off", "fan.off: 1 edge with more than two faces, which stay together", "\n3 0 1 2\n", "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 2\n3 0 1 2\n3 1 0 3\n3 0 1 4\n"},
-    {"umbrellas.off", "umbrellas.off: 1 face without area", "\n3 0 1 2\n", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 2\n3 0 1 2\n3 0 3 4\n"},
-    {"turned.off", "turned.off: 1 edge between faces of which one is turned over", "\n3 0 1 2\n", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n"},
-    {"polygons.off", nullptr, "\n4 0 1 2 3\n", "OFF\n7 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0.5\n2 0 1\n2 1 1\n3 0.5 0\n4 0 1 2 3\n5 1 4 6 5 2\n3 3 2 5\n"}};
+  const struct { const char* name; const char* said; const char* first_face; const char* text;
+  } surfaces[] = {
+    {"fan.off", "fan.off: 1 edge with more than two faces, which stay together", "\n3 0 1 2\n",
+     "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 2\n3 0 1 2\n3 1 0 3\n3 0 1 4\n"},
+    {"umbrellas.off", "umbrellas.off: 1 face without area", "\n3 0 1 2\n",
+     "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 2\n3 0 1 2\n3 0 3 4\n"},
+    {"turned.off", "turned.off: 1 edge between faces of which one is turned over", "\n3 0 1 2\n",
+     "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n"},
+    {"polygons.off", nullptr, "\n4 0 1 2 3\n",
+     "OFF\n7 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0.5\n2 0 1\n2 1 1\n3 0.5 0\n4 0 1 2 3\n5 1 4 6 5 2\n3 3 2 5\n"}};
   for(const auto& surface : surfaces)
   {
     const std::string name = surface.name, text = surface.text;
     write(folder / name, text);
-    check_succeeds(name + " out.off", surface.said ? std::vector<std::string>{surface.said} : std::vector<std::string>());
+    check_succeeds(name + " out.off",
+                   surface.said ? std::vector<std::string>{surface.said} : std::vector<std::string>());
     check_succeeds(name + " out.off --quiet");
     const std::string out = contents(folder / "out.off");
     GDP_CHECK(out != text);
@@ -641,7 +670,8 @@ void test_any_surface()
   };
   check_succeeds("seam.off out.off --gradient-weight 0.1", {"seam.off: 2 vertices at seams were welded to others"});
   GDP_CHECK(is_closed());
-  check_succeeds("seam.off out.off --gradient-weight 0.1 --no-weld", {"4 border vertices at the same place as others are not one"});
+  check_succeeds("seam.off out.off --gradient-weight 0.1 --no-weld",
+                 {"4 border vertices at the same place as others are not one"});
   GDP_CHECK(!is_closed());
 
   // a vertex that no face uses may be anything
@@ -666,7 +696,8 @@ void test_lines()
   row(-1, -1, 0);
   for(int sheet = 1; sheet < 4; ++sheet)
     for(int i = 0; i < 4; ++i)
-      for(const auto& t : {std::vector<int>{i, i + 1, 5 * sheet + i}, std::vector<int>{i + 1, 5 * sheet + i + 1, 5 * sheet + i}})
+      for(const auto& t :
+          {std::vector<int>{i, i + 1, 5 * sheet + i}, std::vector<int>{i + 1, 5 * sheet + i + 1, 5 * sheet + i}})
         faces += "3 " + std::to_string(t[0]) + " " + std::to_string(t[1]) + " " + std::to_string(t[2]) + "\n";
   write(folder / "lines.off", text + faces);
   const auto filtered = [&](const std::string& options) {
@@ -677,7 +708,8 @@ void test_lines()
       lines.push_back(line);
     return lines;
   };
-  const auto free = filtered(""), fixed = filtered("--non-manifold fixed"), along = filtered("--non-manifold along-lines");
+  const auto free = filtered(""), fixed = filtered("--non-manifold fixed"),
+             along = filtered("--non-manifold along-lines");
   std::vector<std::string> before;
   std::istringstream in(text);
   for(std::string line; std::getline(in, line);)
@@ -793,9 +825,32 @@ void test_report(const Mesh& mesh)
   check_succeeds("mesh.off 'a\"b.ply' --report report.json --metric edge-aware");
   const std::string report = contents(folder / "report.json");
   GDP_CHECK(Json(report).is_valid());
-  for(const char* key : {"vertices", "edges", "faces", "area", "solver", "matrix_non_zeros", "factor_non_zeros", "max_displacement",
-                         "mean_displacement", "seconds", "read", "validate", "curvature", "metric", "analyze", "assemble", "factor", "solve",
-                         "write", "total", "peak_memory_bytes", "gradient_weight", "curvature_weight", "components", "remarks", "not_kept"})
+  for(const char* key : {"vertices",
+                         "edges",
+                         "faces",
+                         "area",
+                         "solver",
+                         "matrix_non_zeros",
+                         "factor_non_zeros",
+                         "max_displacement",
+                         "mean_displacement",
+                         "seconds",
+                         "read",
+                         "validate",
+                         "curvature",
+                         "metric",
+                         "analyze",
+                         "assemble",
+                         "factor",
+                         "solve",
+                         "write",
+                         "total",
+                         "peak_memory_bytes",
+                         "gradient_weight",
+                         "curvature_weight",
+                         "components",
+                         "remarks",
+                         "not_kept"})
     GDP_CHECK(report.find("\"" + std::string(key) + "\": ") != std::string::npos);
   GDP_CHECK(report.find("\"vertices\": " + std::to_string(mesh.number_of_vertices()) + ",") != std::string::npos);
   GDP_CHECK(report.find("\"faces\": " + std::to_string(mesh.number_of_faces()) + ",") != std::string::npos);
@@ -805,7 +860,8 @@ void test_report(const Mesh& mesh)
   GDP_CHECK(run("mesh.off out.ply --report report.json --operation denoise --passes 1").code == 0);
   const std::string denoised = contents(folder / "report.json");
   GDP_CHECK(Json(denoised).is_valid() && denoised.find("\"noise_level\": ") != std::string::npos);
-  GDP_CHECK(denoised.find("\"passes\": 1,") != std::string::npos && denoised.find("\"gradient_weight\"") == std::string::npos);
+  GDP_CHECK(denoised.find("\"passes\": 1,") != std::string::npos
+            && denoised.find("\"gradient_weight\"") == std::string::npos);
   fs::remove(folder / "report.json");
   fs::remove(folder / "a\"b.ply");
   const Outcome outcome = run("mesh.off out.ply --verbose");
@@ -815,20 +871,24 @@ void test_report(const Mesh& mesh)
 }
 
 // A file of every format with all that such a file can have.
-const char* const full_obj =
-  "# a file\\\nmtllib  my mat.mtl\no thing\nv  0.0 0.00 0\t# c\nv 1.0 0.0 0.20 \\\n\r\nv 1 \\\n 1.50 -0\nv 0 1 1e-0 0.5 0.25 1\n"
-  "vt 0 0\nvt 1 0.5\nvn 0 0 1\nvn 0 0.0 1.0\n\ng part one\nusemtl red\ns 1\nf 1/1/1 2/2/1 3/1/1\nusemtl blue\nf 1//1 3//1 \\\n 4//2\nl 1 2\n";
-const char* const full_off =
-  "# c\nCNOFF # x\n\n4  2 0\n0 0 0.0 0 0 1 0.5 0.25 1.0\n1 0 0 0 0 1 1.0 0.0 0.0\r\n\n1 1 1.50  0 0 1 0 1 0 # a\n0 1 0 0 0 1 0 1 0\n"
-  "3 0 1 2 255 0 0\n3  0 2 3  0 255 0\n# end\n";
-const char* const full_stl =
-  "solid facet vertex 1\n facet normal 0 0 1.0\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0.0\n   vertex 1 1 -0\n  endloop\n endfacet\n"
-  " facet normal 0 0 0\n  outer loop\n   vertex 0 0 0\n   vertex 1 1 0\n   vertex 0 1 1e0\n  endloop\n endfacet\nendsolid facet vertex 1\n";
+const char* const full_obj = "# a file\\\nmtllib  my mat.mtl\no thing\nv  0.0 0.00 0\t# c\nv 1.0 0.0 0.20 \\\n\r\nv 1 "
+                             "\\\n 1.50 -0\nv 0 1 1e-0 0.5 0.25 1\n"
+                             "vt 0 0\nvt 1 0.5\nvn 0 0 1\nvn 0 0.0 1.0\n\ng part one\nusemtl red\ns 1\nf 1/1/1 2/2/1 "
+                             "3/1/1\nusemtl blue\nf 1//1 3//1 \\\n 4//2\nl 1 2\n";
+const char* const full_off = "# c\nCNOFF # x\n\n4  2 0\n0 0 0.0 0 0 1 0.5 0.25 1.0\n1 0 0 0 0 1 1.0 0.0 0.0\r\n\n1 1 "
+                             "1.50  0 0 1 0 1 0 # a\n0 1 0 0 0 1 0 1 0\n"
+                             "3 0 1 2 255 0 0\n3  0 2 3  0 255 0\n# end\n";
+const char* const full_stl = "solid facet vertex 1\n facet normal 0 0 1.0\n  outer loop\n   vertex 0 0 0\n   vertex 1 "
+                             "0 0.0\n   vertex 1 1 -0\n  endloop\n endfacet\n"
+                             " facet normal 0 0 0\n  outer loop\n   vertex 0 0 0\n   vertex 1 1 0\n   vertex 0 1 1e0\n "
+                             " endloop\n endfacet\nendsolid facet vertex 1\n";
 const char* const full_ply_header =
   "comment by  me\nobj_info x y\nelement camera 1\nproperty list uchar float view\nproperty float f\nelement vertex 4\n"
-  "property list uchar short near\nproperty float x\nproperty double y\ncomment in between\nproperty float z\nproperty uchar red\n"
+  "property list uchar short near\nproperty float x\nproperty double y\ncomment in between\nproperty float z\nproperty "
+  "uchar red\n"
   "property uchar green\nproperty uchar blue\nproperty uint id\nelement face 2\nproperty list uchar uint vertex_index\n"
-  "property list uchar float texcoord\nproperty short part\nelement edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n";
+  "property list uchar float texcoord\nproperty short part\nelement edge 1\nproperty int vertex1\nproperty int "
+  "vertex2\nend_header\n";
 const char* const full_ply_body =
   "2 0.50 0.5   7\n1 3 0.0 0 0 1 2 3 4000000000\n0 1 0.0 0.1 4 5 6 1\n2 1 2 1.0 1 0 7 8 9 2\n0 0 1 2 1 1 1 3\n"
   "3 0 1 2 6 0 0 1 0 1 1 5\n3 0 2 3 0 -6\n0 1\n\n";
@@ -849,7 +909,8 @@ void append(std::string& bytes, T x, bool is_little)
 
 std::string full_binary_ply(bool is_little)
 {
-  std::string text = std::string("ply\nformat binary_") + (is_little ? "little" : "big") + "_endian 1.0\n" + full_ply_header;
+  std::string text =
+    std::string("ply\nformat binary_") + (is_little ? "little" : "big") + "_endian 1.0\n" + full_ply_header;
   const auto add = [&](auto x) { append(text, x, is_little); };
   add(std::uint8_t(1)), add(0.5f), add(7.f);
   for(int v = 0; v < 4; ++v)
@@ -857,12 +918,14 @@ std::string full_binary_ply(bool is_little)
     add(std::uint8_t(v % 2));
     for(int i = 0; i < v % 2; ++i)
       add(std::int16_t(-v));
-    add(float(v == 1 || v == 2)), add(0.1 * double(v > 1)), add(float(v == 3)), add(std::uint8_t(v)), add(std::uint8_t(9)), add(std::uint8_t(255));
+    add(float(v == 1 || v == 2)), add(0.1 * double(v > 1)), add(float(v == 3)), add(std::uint8_t(v)),
+      add(std::uint8_t(9)), add(std::uint8_t(255));
     add(4000000000u + unsigned(v));
   }
   for(unsigned int f = 0; f < 2; ++f)
   {
-    add(std::uint8_t(3)), add(0u), add(1u + f), add(2u + f), add(std::uint8_t(2)), add(0.25f), add(1.f), add(std::int16_t(5));
+    add(std::uint8_t(3)), add(0u), add(1u + f), add(2u + f), add(std::uint8_t(2)), add(0.25f), add(1.f),
+      add(std::int16_t(5));
   }
   add(0), add(1);
   return text;
@@ -923,7 +986,8 @@ void test_lossless()
 {
   for(const auto& file : full_files())
   {
-    const std::string &name = file.first, &text = file.second, extension = name.substr(name.find('.')), out = "out" + extension;
+    const std::string &name = file.first, &text = file.second, extension = name.substr(name.find('.')),
+                      out = "out" + extension;
     write(folder / name, text);
     check_copies(name + " " + out);
     GDP_CHECK(contents(folder / out) == text);
@@ -950,10 +1014,13 @@ void test_lossless()
   check_copies("text.ply back.ply --binary");
   GDP_CHECK(contents(folder / "back.ply") == full_binary_ply(true));
   check_copies("little.ply text.ply --ascii --precision double");
-  GDP_CHECK(contents(folder / "text.ply").find("\nproperty double x\nproperty double y\ncomment in between\nproperty double z\nproperty uchar red\n")
-            != std::string::npos);
+  GDP_CHECK(
+    contents(folder / "text.ply")
+      .find("\nproperty double x\nproperty double y\ncomment in between\nproperty double z\nproperty uchar red\n")
+    != std::string::npos);
   check_copies("text.ply back.ply --binary --precision single");
-  GDP_CHECK(contents(folder / "back.ply").find("\nproperty float x\nproperty float y\ncomment in between\n") != std::string::npos);
+  GDP_CHECK(contents(folder / "back.ply").find("\nproperty float x\nproperty float y\ncomment in between\n")
+            != std::string::npos);
   for(const char* name : {"little.ply", "text.ply", "back.ply"})
     fs::remove(folder / name);
 }
@@ -963,14 +1030,17 @@ void test_format_changes()
 {
   for(const auto& file : full_files())
     write(folder / file.first, file.second);
-  check_copies("full.obj out.ply", {"not kept: vertex colors, which not all vertices have, texture coordinates, 2 materials, 1 object, 1 group, "
-                                    "smoothing groups, points, lines and curves, 2 comments"});
+  check_copies(
+    "full.obj out.ply",
+    {"not kept: vertex colors, which not all vertices have, texture coordinates, 2 materials, 1 object, 1 group, "
+     "smoothing groups, points, lines and curves, 2 comments"});
   check_copies("full.off out.obj", {"not kept: 4 comments, colors of faces"});
   check_copies("full.off out.stl", {"not kept: 4 comments, normals of vertices, colors of vertices"});
   check_copies("full.off out.ply --ascii", {"not kept: 4 comments"});
   GDP_CHECK(contents(folder / "out.ply").find("\n3 0 1 2 255 0 0\n") != std::string::npos);
-  check_copies("full.ply out.off", {"not kept: 3 comments, 1 camera element, the list 'near' of vertex, the list 'texcoord' of face, "
-                                    "1 edge element, the property id of vertices, the property part of faces"});
+  check_copies("full.ply out.off",
+               {"not kept: 3 comments, 1 camera element, the list 'near' of vertex, the list 'texcoord' of face, "
+                "1 edge element, the property id of vertices, the property part of faces"});
   GDP_CHECK(contents(folder / "out.off").find("COFF\n4 2 0\n") == 0);
   check_copies("full.stl out.off", {"not kept: name of the solid"});
   GDP_CHECK(contents(folder / "out.off") == "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 1\n3 0 1 2\n3 0 2 3\n");
@@ -995,7 +1065,8 @@ void test_streams()
   for(const auto& file : full_files())
   {
     const Outcome outcome = run("- - --gradient-weight 0 <" + file.first);
-    GDP_CHECK(outcome.code == 0 && outcome.out == file.second && outcome.err.find("standard output: nothing has changed") != std::string::npos);
+    GDP_CHECK(outcome.code == 0 && outcome.out == file.second
+              && outcome.err.find("standard output: nothing has changed") != std::string::npos);
   }
   const Outcome changed = run("- - --output-format off --gradient-weight 0 --verbose <full.stl");
   GDP_CHECK(changed.code == 0 && changed.out == "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 1\n3 0 1 2\n3 0 2 3\n");
@@ -1033,9 +1104,11 @@ void test_packed_files()
 void test_normals_follow()
 {
   // a bump; the far corner is constrained with all around it
-  std::string obj = "vn 0 0 1\nvn 0 0 1\n", ply = "ply\nformat ascii 1.0\nelement vertex 25\nproperty double x\nproperty double y\n"
-    "property double z\nproperty double nx\nproperty double ny\nproperty double nz\nproperty int kept\nelement face 16\n"
-    "property list uchar int vertex_indices\nend_header\n";
+  std::string obj = "vn 0 0 1\nvn 0 0 1\n",
+              ply = "ply\nformat ascii 1.0\nelement vertex 25\nproperty double x\nproperty double y\n"
+                    "property double z\nproperty double nx\nproperty double ny\nproperty double nz\nproperty int "
+                    "kept\nelement face 16\n"
+                    "property list uchar int vertex_indices\nend_header\n";
   for(int i = 0; i < 25; ++i)
   {
     const std::string point = std::to_string(i % 5) + " " + std::to_string(i / 5) + (i == 6 ? " 1" : " 0");
@@ -1089,25 +1162,27 @@ void test_normals_follow()
     fs::remove(folder / name);
 }
 
-std::string ply_square(const std::string& vertex_property, const std::vector<std::string>& values, const std::string& face_property,
-                       const std::vector<std::string>& face_values)
+std::string ply_square(const std::string& vertex_property, const std::vector<std::string>& values,
+                       const std::string& face_property, const std::vector<std::string>& face_values)
 {
-  std::string text = "ply\nformat ascii 1.0\nelement vertex 9\nproperty float x\nproperty float y\nproperty float z\n" + vertex_property
-                     + "element face 8\nproperty list uchar int vertex_indices\n" + face_property + "end_header\n";
+  std::string text = "ply\nformat ascii 1.0\nelement vertex 9\nproperty float x\nproperty float y\nproperty float z\n"
+                     + vertex_property + "element face 8\nproperty list uchar int vertex_indices\n" + face_property
+                     + "end_header\n";
   for(std::size_t v = 0; v < 9; ++v)
     text += std::to_string(v % 3) + " " + std::to_string(v / 3) + " 0 " + values[v] + "\n";
   for(std::size_t f = 0; f < 8; ++f)
   {
     const std::size_t v = f / 2 % 2 + 3 * (f / 4);
-    text += "3 " + std::to_string(v) + " " + std::to_string(f % 2 ? v + 4 : v + 1) + " " + std::to_string(f % 2 ? v + 3 : v + 4) + " "
-            + face_values[f] + "\n";
+    text += "3 " + std::to_string(v) + " " + std::to_string(f % 2 ? v + 4 : v + 1) + " "
+            + std::to_string(f % 2 ? v + 3 : v + 4) + " " + face_values[f] + "\n";
   }
   return text;
 }
 
 void test_property_signals()
 {
-  const std::vector<std::string> heat = {"0", "0", "0", "0", "90.0", "0", "0", "0", "0"}, part = {"8", "0", "0", "0", "0", "0", "0", "0"};
+  const std::vector<std::string> heat = {"0", "0", "0", "0", "90.0", "0", "0", "0", "0"},
+                                 part = {"8", "0", "0", "0", "0", "0", "0", "0"};
   const std::string text = ply_square("property float heat\n", heat, "property short part\n", part);
   write(folder / "square.ply", text);
   check_succeeds("square.ply out.ply --signal heat --gradient-weight 0.1");
@@ -1115,7 +1190,8 @@ void test_property_signals()
   check_succeeds("square.ply out.ply --signal part --gradient-weight 0.1");
   const std::size_t others = number_of_other_numbers(text, contents(folder / "out.ply"));
   GDP_CHECK(others >= 2 && others <= 8); // integers stay integers
-  check_fails("square.ply new.ply --signal part,heat", 1, "no property 'part,heat'; vertices have: heat; faces have: part");
+  check_fails("square.ply new.ply --signal part,heat", 1,
+              "no property 'part,heat'; vertices have: heat; faces have: part");
   check_fails("square.ply new.ply --signal part --constrain heat", 1, "--constrain");
   check_fails("square.ply new.ply --signal part --border fixed", 1, "--border");
   check_succeeds("square.ply out.ply --signal part --region heat", {"nothing has changed: the region is empty"});
@@ -1162,7 +1238,8 @@ void test_places()
 // Whatever leaves everything as it was says why, also in the report.
 void test_said()
 {
-  write(folder / "none.ply", ply_square("property int none\n", std::vector<std::string>(9, "0"), "", std::vector<std::string>(8)));
+  write(folder / "none.ply",
+        ply_square("property int none\n", std::vector<std::string>(9, "0"), "", std::vector<std::string>(8)));
   check_copies("mesh.off out.off");
   check_succeeds("none.ply out.ply --region none", {"nothing has changed: the region is empty"});
   check_succeeds("mesh.off out.off --max-displacement 0", {"nothing has changed: the largest displacement is 0"});
@@ -1173,24 +1250,29 @@ void test_said()
 
   // less than single precision holds
   check_copies("mesh.off single.stl --binary");
-  check_succeeds("single.stl out.stl --gradient-weight 1e-13", {"nothing has changed: all changes are smaller than what the numbers of the file can hold"});
+  check_succeeds("single.stl out.stl --gradient-weight 1e-13",
+                 {"nothing has changed: all changes are smaller than what the numbers of the file can hold"});
   check_succeeds("single.stl out.stl --gradient-weight 1e-13 --quiet");
   GDP_CHECK(contents(folder / "out.stl") == contents(folder / "single.stl"));
   fs::remove(folder / "single.stl");
   fs::remove(folder / "out.stl");
 
   // parts of different size, and a face alone
-  write(folder / "parts.off", "OFF\n7 3 0\n0 0 0\n100 0 0\n0 100 0\n100 100 1\n0 0 50\n1 0 50\n0 1 50\n3 0 1 2\n3 1 3 2\n3 4 5 6\n");
-  check_succeeds("parts.off out.off", {"2 parts of very different size under one weight", "1 face that is connected to no other"});
+  write(folder / "parts.off",
+        "OFF\n7 3 0\n0 0 0\n100 0 0\n0 100 0\n100 100 1\n0 0 50\n1 0 50\n0 1 50\n3 0 1 2\n3 1 3 2\n3 4 5 6\n");
+  check_succeeds("parts.off out.off",
+                 {"2 parts of very different size under one weight", "1 face that is connected to no other"});
   check_succeeds("parts.off out.off --quiet");
   const Outcome parts = run("parts.off out.off --verbose");
   GDP_CHECK(parts.err.empty()); // not twice
-  GDP_CHECK(parts.out.find("2 parts of very different size under one weight: the smallest is 100 times smaller") != std::string::npos);
+  GDP_CHECK(parts.out.find("2 parts of very different size under one weight: the smallest is 100 times smaller")
+            != std::string::npos);
   GDP_CHECK(parts.out.find("1 face that is connected to no other") != std::string::npos);
   // faces that are there twice or have no area
   write(folder / "odd.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n1 1 0.5\n0 1 0\n3 0 1 2\n3 0 2 3\n3 2 0 1\n3 0 3 3\n");
-  check_succeeds("odd.off out.off", {"2 edges with more than two faces", "2 edges between faces of which one is turned over",
-                                     "1 face that is there already", "1 face without area"});
+  check_succeeds("odd.off out.off",
+                 {"2 edges with more than two faces", "2 edges between faces of which one is turned over",
+                  "1 face that is there already", "1 face without area"});
   for(const char* name : {"none.ply", "parts.off", "odd.off", "report.json", "out.off", "out.ply"})
     fs::remove(folder / name);
 }
@@ -1198,21 +1280,25 @@ void test_said()
 // A height that is missing lies between those around it.
 void test_missing_heights()
 {
-  std::string text = "ply\nformat ascii 1.0\nelement vertex 25\nproperty double x\nproperty double y\nproperty double z\nelement face 16\n"
+  std::string text = "ply\nformat ascii 1.0\nelement vertex 25\nproperty double x\nproperty double y\nproperty double "
+                     "z\nelement face 16\n"
                      "property list uchar int vertex_indices\nend_header\n";
   for(int i = 0; i < 25; ++i)
-    text += std::to_string(i % 5) + " " + std::to_string(i / 5) + " " + (i == 12 || i == 13 ? "nan" : std::to_string(i % 5)) + "\n";
+    text += std::to_string(i % 5) + " " + std::to_string(i / 5) + " "
+            + (i == 12 || i == 13 ? "nan" : std::to_string(i % 5)) + "\n";
   for(int i = 0; i < 16; ++i)
   {
     const int v = i % 4 + 5 * (i / 4);
-    text += "4 " + std::to_string(v) + " " + std::to_string(v + 1) + " " + std::to_string(v + 6) + " " + std::to_string(v + 5) + "\n";
+    text += "4 " + std::to_string(v) + " " + std::to_string(v + 1) + " " + std::to_string(v + 6) + " "
+            + std::to_string(v + 5) + "\n";
   }
   write(folder / "terrain.ply", text);
   check_fails("terrain.ply new.ply --axes z", 1, "vertex 12: ");
   check_fails("terrain.ply new.ply --missing-values", 2, "--axes with one axis");
   check_fails("terrain.ply new.ply --axes xy --missing-values", 2, "--axes with one axis");
   check_fails("terrain.ply new.ply --axes x --missing-values", 1, "vertex 12: ");
-  check_succeeds("terrain.ply out.ply --axes z --missing-values --gradient-weight 0", {"terrain.ply: 2 missing heights were filled in"});
+  check_succeeds("terrain.ply out.ply --axes z --missing-values --gradient-weight 0",
+                 {"terrain.ply: 2 missing heights were filled in"});
   std::istringstream in(contents(folder / "out.ply"));
   std::string line;
   for(int i = 0; i < 9; ++i)

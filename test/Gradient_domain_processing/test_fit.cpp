@@ -29,9 +29,11 @@ struct Fit
   Mesh::Property_map<Vertex, bool> is_constrained;
 
   explicit Fit(const Shape& shape)
-    : mesh(mesh_of(shape)), f(mesh.add_property_map<Vertex, Values>("v:f", Values()).first),
-      g(mesh.add_property_map<Vertex, Values>("v:g", Values()).first), v(mesh.add_property_map<Face, Gradients>("f:v").first),
-      is_constrained(mesh.add_property_map<Vertex, bool>("v:constrained", false).first)
+    : mesh(mesh_of(shape))
+    , f(mesh.add_property_map<Vertex, Values>("v:f", Values()).first)
+    , g(mesh.add_property_map<Vertex, Values>("v:g", Values()).first)
+    , v(mesh.add_property_map<Face, Gradients>("f:v").first)
+    , is_constrained(mesh.add_property_map<Vertex, bool>("v:constrained", false).first)
   {}
 
   GDP::Error_code run(double alpha, double beta)
@@ -186,7 +188,8 @@ void test_cloning()
     }
   }
   const double error = std::sqrt(detail / detail_wanted);
-  std::cout << "cloning: largest step across the seam " << jump << " (levels differ by 7), gradients inside changed by " << error << std::endl;
+  std::cout << "cloning: largest step across the seam " << jump << " (levels differ by 7), gradients inside changed by "
+            << error << std::endl;
   GDP_CHECK(jump < 0.1 * 7); // the pasted signal climbs 0.5 along an edge
   GDP_CHECK(error < 0.1);
   for(Vertex v : fit.mesh.vertices())
@@ -228,38 +231,41 @@ void test_normals()
   }
   for(GDP::Normal_fit_kind kind : {GDP::Normal_fit_kind::FACES, GDP::Normal_fit_kind::EDGES})
   {
-  const auto fit = [&](Mesh& mesh, const Mesh::Property_map<Vertex, Vector>& normals, double lambda, double beta) {
-    return GDP::fit_to_normals(mesh, normals, GDP::parameters::normal_projection_weight(1).gradient_scale(lambda).gradient_weight(beta)
-                                                .normal_fit_kind(kind));
-  };
+    const auto fit = [&](Mesh& mesh, const Mesh::Property_map<Vertex, Vector>& normals, double lambda, double beta) {
+      return GDP::fit_to_normals(
+        mesh, normals,
+        GDP::parameters::normal_projection_weight(1).gradient_scale(lambda).gradient_weight(beta).normal_fit_kind(
+          kind));
+    };
 
-  // its own normals: an edge of the sphere is orthogonal to the sum of the normals at its ends
-  Mesh mesh = clean;
-  GDP_CHECK(fit(mesh, exact, 1, 0) == GDP::OK);
-  GDP_CHECK_NEAR(distance(mesh, clean), 0, kind == GDP::Normal_fit_kind::EDGES ? 1e-12 : 0.005);
+    // its own normals: an edge of the sphere is orthogonal to the sum of the normals at its ends
+    Mesh mesh = clean;
+    GDP_CHECK(fit(mesh, exact, 1, 0) == GDP::OK);
+    GDP_CHECK_NEAR(distance(mesh, clean), 0, kind == GDP::Normal_fit_kind::EDGES ? 1e-12 : 0.005);
 
-  // true normals on noisy positions
-  mesh = noisy;
-  GDP_CHECK(fit(mesh, exact, 1, 0) == GDP::OK);
-  std::cout << "normals of a noisy sphere: off by " << normal_noise(noisy) << ", fitted " << normal_noise(mesh) << ", without noise "
-            << normal_noise(clean) << std::endl;
-  GDP_CHECK(normal_noise(mesh) < 0.25 * normal_noise(noisy));
-  double radius_noise = 0;
-  for(Vertex v : mesh.vertices())
-    radius_noise = (std::max)(radius_noise, std::abs(vec(mesh.point(v)).norm() - 1));
-  GDP_CHECK(radius_noise < 0.02);
+    // true normals on noisy positions
+    mesh = noisy;
+    GDP_CHECK(fit(mesh, exact, 1, 0) == GDP::OK);
+    std::cout << "normals of a noisy sphere: off by " << normal_noise(noisy) << ", fitted " << normal_noise(mesh)
+              << ", without noise " << normal_noise(clean) << std::endl;
+    GDP_CHECK(normal_noise(mesh) < 0.25 * normal_noise(noisy));
+    double radius_noise = 0;
+    for(Vertex v : mesh.vertices())
+      radius_noise = (std::max)(radius_noise, std::abs(vec(mesh.point(v)).norm() - 1));
+    GDP_CHECK(radius_noise < 0.02);
 
-  // disturbed normals are of less use, unless they are smoothed first
-  Mesh raw = clean, processed = clean;
-  GDP_CHECK(fit(raw, disturbed, 1, 1e-3) == GDP::OK);
-  GDP_CHECK(fit(processed, disturbed, 0, 1e-3) == GDP::OK);
-  std::cout << "disturbed normals: off by " << normal_noise(raw) << ", processed first " << normal_noise(processed) << std::endl;
-  GDP_CHECK(normal_noise(processed) < 0.5 * normal_noise(raw));
+    // disturbed normals are of less use, unless they are smoothed first
+    Mesh raw = clean, processed = clean;
+    GDP_CHECK(fit(raw, disturbed, 1, 1e-3) == GDP::OK);
+    GDP_CHECK(fit(processed, disturbed, 0, 1e-3) == GDP::OK);
+    std::cout << "disturbed normals: off by " << normal_noise(raw) << ", processed first " << normal_noise(processed)
+              << std::endl;
+    GDP_CHECK(normal_noise(processed) < 0.5 * normal_noise(raw));
 
-  // sharpened normals are not those given
-  Mesh sharpened = clean;
-  GDP_CHECK(fit(sharpened, disturbed, 2, 1e-3) == GDP::OK);
-  GDP_CHECK(normal_noise(sharpened) > 1.2 * normal_noise(raw));
+    // sharpened normals are not those given
+    Mesh sharpened = clean;
+    GDP_CHECK(fit(sharpened, disturbed, 2, 1e-3) == GDP::OK);
+    GDP_CHECK(normal_noise(sharpened) > 1.2 * normal_noise(raw));
 
   }
 

@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What is promised of solvers: one owner of a factorization, everything as it was after an error or an exception, progress that only
-// grows, elements of the mesh that are checked.
+// What is promised of solvers: one owner of a factorization, everything as it was after an error or an exception,
+// progress that only grows, elements of the mesh that are checked.
 
 #include "test_shapes.h"
 #include "test_utils.h"
@@ -30,7 +30,8 @@ namespace GDP = CGAL::Gradient_domain_processing;
 namespace {
 
 typedef GDP::Gradient_domain_solver<Mesh> Solver;
-static_assert(!std::is_copy_constructible<Solver>::value && !std::is_copy_assignable<Solver>::value, "a factorization has one owner");
+static_assert(!std::is_copy_constructible<Solver>::value && !std::is_copy_assignable<Solver>::value,
+              "a factorization has one owner");
 static_assert(std::is_move_constructible<Solver>::value && std::is_move_assignable<Solver>::value, "which may change");
 
 struct Field
@@ -74,7 +75,8 @@ void test_shared_linear_solver()
   const Field field;
   Traits traits;
   const auto np = GDP::parameters::sparse_linear_solver(traits);
-  const auto weak = field.fresh(GDP::parameters::gradient_weight(1e-4)), strong = field.fresh(GDP::parameters::gradient_weight(1e-1));
+  const auto weak = field.fresh(GDP::parameters::gradient_weight(1e-4)),
+             strong = field.fresh(GDP::parameters::gradient_weight(1e-1));
   GDP_CHECK(largest_difference(weak, strong) > 1e-2);
   auto a = GDP::make_gradient_domain_solver(field.mesh, np.gradient_weight(1e-4));
   auto b = GDP::make_gradient_domain_solver(field.mesh, np.gradient_weight(1e-1));
@@ -83,7 +85,8 @@ void test_shared_linear_solver()
   GDP_CHECK(largest_difference(field.filtered(a), weak) < 1e-9);
   auto moved = std::move(a);
   GDP_CHECK(b.set_gradient_weight(1e-4) == GDP::ok && moved.set_gradient_weight(1e-1) == GDP::ok);
-  GDP_CHECK(largest_difference(field.filtered(b), weak) < 1e-9 && largest_difference(field.filtered(moved), strong) < 1e-9);
+  GDP_CHECK(largest_difference(field.filtered(b), weak) < 1e-9
+            && largest_difference(field.filtered(moved), strong) < 1e-9);
 }
 
 struct Throwing_visitor : GDP::Default_visitor
@@ -179,10 +182,13 @@ void test_new_constraints()
   for(std::size_t v = 0; v < alpha.size(); ++v)
     alpha[v] = 1 + double(v % 3);
   const auto np = GDP::parameters::gradient_weight(1e-2);
-  const auto with_second = np.vertex_is_constrained_map(CGAL::make_property_map(second)).vertex_value_weight_map(CGAL::make_property_map(alpha));
-  auto solver = GDP::make_gradient_domain_solver(field.mesh, np.vertex_is_constrained_map(CGAL::make_property_map(first)));
+  const auto with_second = np.vertex_is_constrained_map(CGAL::make_property_map(second))
+                             .vertex_value_weight_map(CGAL::make_property_map(alpha));
+  auto solver =
+    GDP::make_gradient_domain_solver(field.mesh, np.vertex_is_constrained_map(CGAL::make_property_map(first)));
   const auto before = field.filtered(solver);
-  GDP_CHECK(solver.set_constraints_from_parameters(with_second) == GDP::ok && solver.set_weights_from_parameters(with_second) == GDP::ok);
+  GDP_CHECK(solver.set_constraints_from_parameters(with_second) == GDP::ok
+            && solver.set_weights_from_parameters(with_second) == GDP::ok);
   GDP_CHECK(largest_difference(field.filtered(solver), field.fresh(with_second)) < 1e-12);
   GDP_CHECK(largest_difference(field.filtered(solver), before) > 1e-3);
   alpha[9] = -1;
@@ -212,7 +218,10 @@ void test_progress()
     {
       Mesh mesh = mesh_of(sphere(30));
       Recording_visitor visitor;
-      GDP_CHECK(GDP::smooth(mesh, GDP::parameters::number_of_iterations(iterations).curvature_weight(epsilon).visitor(std::ref(visitor))) == GDP::ok);
+      GDP_CHECK(
+        GDP::smooth(
+          mesh, GDP::parameters::number_of_iterations(iterations).curvature_weight(epsilon).visitor(std::ref(visitor)))
+        == GDP::ok);
       GDP_CHECK(std::is_sorted(visitor.parts.begin(), visitor.parts.end()));
       GDP_CHECK(visitor.parts.front() == 0 && visitor.parts.back() <= 1);
       GDP_CHECK(visitor.parts.back() > 0.4 && visitor.parts.size() > 8);
@@ -287,7 +296,8 @@ void test_metric_of_second_pass()
     return mesh;
   };
   Mesh mesh = mesh_of(shape);
-  const auto metric = mesh.add_property_map<Face, GDP::Triangle_metric>("f:metric", GDP::Triangle_metric::equilateral(0.2)).first;
+  const auto metric =
+    mesh.add_property_map<Face, GDP::Triangle_metric>("f:metric", GDP::Triangle_metric::equilateral(0.2)).first;
   const auto np = GDP::parameters::face_metric_map(metric).sharpening_weight(1e-3);
   const Mesh plain = run(np), anisotropic = run(np.sharpening_metric_kind(GDP::Curvature_metric_kind::ANISOTROPIC));
   GDP_CHECK(distance(plain, anisotropic) > 1e-3);
@@ -310,7 +320,8 @@ void test_overflow()
   std::vector<float> out(mesh.number_of_vertices(), 17.f);
   in[7] = 1e300;
   GDP_CHECK(GDP::process_signal(mesh, CGAL::make_property_map(in), CGAL::make_property_map(out),
-                                GDP::parameters::gradient_weight(0).visitor(std::ref(visitor))) == GDP::error_result_out_of_range);
+                                GDP::parameters::gradient_weight(0).visitor(std::ref(visitor)))
+            == GDP::error_result_out_of_range);
   GDP_CHECK(visitor.invalid == std::vector<Vertex>{Vertex(7)});
   GDP_CHECK(out == std::vector<float>(mesh.number_of_vertices(), 17.f));
 }

@@ -39,16 +39,21 @@ void test_units_and_numbers()
       Sparse hessian;
       GDP_CHECK(GDP::hessian_matrix(mesh, kinds[i], hessian) == GDP::ok);
       GDP_CHECK(hessian.rows() == z.size() || hessian.rows() == int(mesh.number_of_vertices()));
-      GDP_CHECK_NEAR(z.head(hessian.rows()).dot(hessian * z.head(hessian.rows())) * scale * scale / (area / 3), expected[i], 0.6);
+      GDP_CHECK_NEAR(z.head(hessian.rows()).dot(hessian * z.head(hessian.rows())) * scale * scale / (area / 3),
+                     expected[i], 0.6);
     }
 
     Sparse dirichlet, shell;
     GDP_CHECK(GDP::modified_dirichlet_matrix(mesh, dirichlet) == GDP::ok);
-    GDP_CHECK_NEAR(Eigen::VectorXd::Ones(dirichlet.rows()).dot(dirichlet * Eigen::VectorXd::Ones(dirichlet.rows())) / (8 * pi), 1, 0.07);
+    GDP_CHECK_NEAR(Eigen::VectorXd::Ones(dirichlet.rows()).dot(dirichlet * Eigen::VectorXd::Ones(dirichlet.rows()))
+                     / (8 * pi),
+                   1, 0.07);
     GDP_CHECK(GDP::shell_hessian_matrix(mesh, scale * scale, scale, 1, shell) == GDP::ok);
     Sparse of_unit;
     GDP_CHECK(GDP::shell_hessian_matrix(mesh_of(sphere(8)), 1, 1, 1, of_unit) == GDP::ok);
-    GDP_CHECK_NEAR(Eigen::MatrixXd(shell.topLeftCorner(of_unit.rows(), of_unit.rows()) - of_unit).cwiseAbs().maxCoeff() / of_unit.norm(), 0, 1e-12);
+    GDP_CHECK_NEAR(Eigen::MatrixXd(shell.topLeftCorner(of_unit.rows(), of_unit.rows()) - of_unit).cwiseAbs().maxCoeff()
+                     / of_unit.norm(),
+                   0, 1e-12);
     GDP_CHECK(GDP::shell_hessian_matrix(mesh, -1, 1, 1, shell) == GDP::error_invalid_weight);
   }
 }

@@ -20,7 +20,8 @@ using namespace GDP::internal;
 namespace {
 
 const std::vector<GDP::Hessian_kind> kinds = {GDP::Hessian_kind::BILAPLACIAN, GDP::Hessian_kind::CURVED_HESSIAN,
-                                              GDP::Hessian_kind::SQUARED_HESSIAN, GDP::Hessian_kind::TRACE_FREE_HESSIAN};
+                                              GDP::Hessian_kind::SQUARED_HESSIAN,
+                                              GDP::Hessian_kind::TRACE_FREE_HESSIAN};
 
 Sparse hessian(const Arrays& arrays, const Metrics& metrics, GDP::Hessian_kind kind, bool parallel = true)
 {
@@ -107,15 +108,18 @@ void test_kernels()
   const auto linear = [](const Vec& p) { return 2 * p.x() - 3 * p.y() + 1; };
   for(std::size_t i = 0; i < kinds.size(); ++i)
   {
-    const Sparse on_plane = hessian(plane, Metrics(), kinds[i]), on_patch = hessian(patch, random_metrics(patch, 50), kinds[i]);
-    GDP_CHECK_NEAR((on_patch * Eigen::VectorXd::Ones(on_patch.rows())).cwiseAbs().maxCoeff() / largest(on_patch), 0, 1e-12);
+    const Sparse on_plane = hessian(plane, Metrics(), kinds[i]),
+                 on_patch = hessian(patch, random_metrics(patch, 50), kinds[i]);
+    GDP_CHECK_NEAR((on_patch * Eigen::VectorXd::Ones(on_patch.rows())).cwiseAbs().maxCoeff() / largest(on_patch), 0,
+                   1e-12);
     const double residual = (on_plane * sampled(plane, linear)).cwiseAbs().maxCoeff() / largest(on_plane);
     GDP_CHECK(i == 0 ? residual > 1e-3 : residual < 1e-12);
   }
 }
 
-// Energies of harmonics of degree l on a sphere, with mu = l (l + 1): mu^2, without the curvature's part mu less, without the trace
-// half of mu^2 less again. That of the bi-Laplacian converges to second order, the others slower where the mesh changes its pattern.
+// Energies of harmonics of degree l on a sphere, with mu = l (l + 1): mu^2, without the curvature's part mu less,
+// without the trace half of mu^2 less again. That of the bi-Laplacian converges to second order, the others slower
+// where the mesh changes its pattern.
 void test_sphere()
 {
   const auto degree_1 = [](const Vec& p) { return p.x() + 2 * p.y() - p.z(); };
@@ -170,9 +174,9 @@ Eigen::Matrix2d metric_of_map(const Vec& p)
   return jacobian.transpose() * jacobian;
 }
 
-// The metric that a map of the plane induces is flat, and the coordinates of the map are linear in it: their energy goes to zero,
-// that of the square of one to four times the area. The lengths of an edge under its two metrics differ; if every triangle
-// keeps its own, the energy of the coordinates stays where it is, at 0.11.
+// The metric that a map of the plane induces is flat, and the coordinates of the map are linear in it: their energy
+// goes to zero, that of the square of one to four times the area. The lengths of an edge under its two metrics differ;
+// if every triangle keeps its own, the energy of the coordinates stays where it is, at 0.11.
 void test_edges_with_two_lengths()
 {
   double last = 0;
@@ -181,7 +185,8 @@ void test_edges_with_two_lengths()
     const Arrays arrays = arrays_of(grid(n, n));
     const Sparse matrix = hessian(arrays, planar_metrics(arrays, metric_of_map), GDP::Hessian_kind::SQUARED_HESSIAN);
     const double of_linear = energy(matrix, sampled(arrays, [](const Vec& p) { return map_of_plane(p).x(); }));
-    const double of_square = energy(matrix, sampled(arrays, [](const Vec& p) { return std::pow(map_of_plane(p).x(), 2); }));
+    const double of_square =
+      energy(matrix, sampled(arrays, [](const Vec& p) { return std::pow(map_of_plane(p).x(), 2); }));
     Arrays image = arrays;
     for(Vec& p : image.points)
       p = map_of_plane(p);
@@ -197,11 +202,13 @@ void test_shared_lengths()
   const Arrays arrays = arrays_of(bumpy_patch(6, 5));
   const std::vector<int> neighbors = edge_neighbors(arrays, true);
   const auto equal = [](const GDP::Triangle_metric& a, const GDP::Triangle_metric& b) {
-    return a.g11() == b.g11() && a.g12() == b.g12() && a.g22() == b.g22() && a.sqrt_determinant() == b.sqrt_determinant();
+    return a.g11() == b.g11() && a.g12() == b.g12() && a.g22() == b.g22()
+           && a.sqrt_determinant() == b.sqrt_determinant();
   };
   const std::vector<GDP::Triangle_metric> embedded = with_shared_lengths(arrays, Metrics(), neighbors, true);
   const Metrics near = random_metrics(arrays, 1.2), far = random_metrics(arrays, 1e6);
-  const auto near_shared = with_shared_lengths(arrays, near, neighbors, true), far_shared = with_shared_lengths(arrays, far, neighbors, true);
+  const auto near_shared = with_shared_lengths(arrays, near, neighbors, true),
+             far_shared = with_shared_lengths(arrays, far, neighbors, true);
   double nearest = HUGE_VAL;
   for(int corner = 0; corner < int(neighbors.size()); ++corner)
   {
@@ -232,14 +239,16 @@ void test_invariance()
   }
   for(GDP::Hessian_kind kind : kinds)
   {
-    const Sparse matrix = hessian(arrays_of(soup), Metrics(), kind), of_turned = hessian(arrays_of(turned), Metrics(), kind),
+    const Sparse matrix = hessian(arrays_of(soup), Metrics(), kind),
+                 of_turned = hessian(arrays_of(turned), Metrics(), kind),
                  of_scaled = hessian(arrays_of(scaled(soup, 10)), Metrics(), kind);
     GDP_CHECK_NEAR(largest(Sparse(matrix - of_turned)) / largest(matrix), 0, 1e-12);
     GDP_CHECK_NEAR(largest(Sparse(matrix - 100 * of_scaled)) / largest(matrix), 0, 1e-12);
   }
 }
 
-// Where three triangles meet, each has a border of its own: a function that is linear on each of three half planes costs nothing.
+// Where three triangles meet, each has a border of its own: a function that is linear on each of three half planes
+// costs nothing.
 void test_three_triangles_at_an_edge()
 {
   Soup book = grid(4, 4);
@@ -297,11 +306,13 @@ void test_threads()
 {
   const Arrays arrays = arrays_of(bumpy_sphere(5));
   const auto same = [](const Sparse& a, const Sparse& b) {
-    return a.nonZeros() == b.nonZeros() && std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr())
-        && std::equal(a.valuePtr(), a.valuePtr() + a.nonZeros(), b.valuePtr());
+    return a.nonZeros() == b.nonZeros()
+           && std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr())
+           && std::equal(a.valuePtr(), a.valuePtr() + a.nonZeros(), b.valuePtr());
   };
   GDP_CHECK(same(bilaplacian(arrays, Metrics(), true), bilaplacian(arrays, Metrics(), false)));
-  GDP_CHECK(same(hessian(arrays, Metrics(), GDP::Hessian_kind::CURVED_HESSIAN), hessian(arrays, Metrics(), GDP::Hessian_kind::CURVED_HESSIAN, false)));
+  GDP_CHECK(same(hessian(arrays, Metrics(), GDP::Hessian_kind::CURVED_HESSIAN),
+                 hessian(arrays, Metrics(), GDP::Hessian_kind::CURVED_HESSIAN, false)));
 }
 
 } // namespace

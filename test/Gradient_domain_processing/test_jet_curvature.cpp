@@ -101,7 +101,8 @@ Arrays ellipsoid_mesh(int n, const Vec3& axes)
     const auto found = index.insert({ {{ x, y, z }}, int(a.points.size()) });
     if(found.second)
     {
-      const Vec3 p = Vec3(std::sin(x * 1.5707963 / n), std::sin(y * 1.5707963 / n), std::sin(z * 1.5707963 / n)).normalized();
+      const Vec3 p =
+        Vec3(std::sin(x * 1.5707963 / n), std::sin(y * 1.5707963 / n), std::sin(z * 1.5707963 / n)).normalized();
       const double amount = 0.3 / n;
       const Vec3 q = (p + amount * Vec3(random(), random(), random())).normalized();
       a.points.push_back(axes.cwiseProduct(q));
@@ -129,7 +130,8 @@ Arrays ellipsoid_mesh(int n, const Vec3& axes)
 }
 
 // A grid of parameters in [0, 1) x [0, 1), jittered, its diagonals chosen by chance; closed in u, v or not at all.
-Arrays grid_mesh(int nu, int nv, bool u_is_closed, bool v_is_closed, const std::function<Vec3(double, double)>& position)
+Arrays grid_mesh(int nu, int nv, bool u_is_closed, bool v_is_closed,
+                 const std::function<Vec3(double, double)>& position)
 {
   Arrays a;
   Random random;
@@ -220,11 +222,20 @@ Surface graph(const std::string& name, const std::function<double(double, double
 
 std::vector<Surface> surfaces()
 {
-  return { ellipsoid("sphere", Vec3(1, 1, 1)), ellipsoid("ellipsoid", Vec3(1, 1.3, 0.8)), cylinder(), torus(),
-           graph("saddle", [](double x, double y) { return (x * x - y * y) / 2 + x * y / 4; },
-                 [](double x, double y) { return std::array<double, 5>{{ x + y / 4, -y + x / 4, 1, 0.25, -1 }}; }),
-           graph("monkey saddle", [](double x, double y) { return (x * x * x - 3 * x * y * y) / 3; },
-                 [](double x, double y) { return std::array<double, 5>{{ x * x - y * y, -2 * x * y, 2 * x, -2 * y, -2 * x }}; }) };
+  return {ellipsoid("sphere", Vec3(1, 1, 1)),
+          ellipsoid("ellipsoid", Vec3(1, 1.3, 0.8)),
+          cylinder(),
+          torus(),
+          graph(
+            "saddle", [](double x, double y) { return (x * x - y * y) / 2 + x * y / 4; },
+            [](double x, double y) {
+              return std::array<double, 5>{{x + y / 4, -y + x / 4, 1, 0.25, -1}};
+            }),
+          graph(
+            "monkey saddle", [](double x, double y) { return (x * x * x - 3 * x * y * y) / 3; },
+            [](double x, double y) {
+              return std::array<double, 5>{{x * x - y * y, -2 * x * y, 2 * x, -2 * y, -2 * x}};
+            })};
 }
 
 Arrays sampled(const Surface& surface, int n)
@@ -240,8 +251,9 @@ template <class Tag = CGAL::Sequential_tag>
 std::vector<Principal_curvatures> by_jets(const Arrays& a, int degree)
 {
   std::vector<Principal_curvatures> result;
-  GDP_CHECK(GDPI::jet_curvatures(std::is_same<Tag, CGAL::Parallel_tag>::value, a.points, a.offsets, a.neighbors, a.normals, degree,
-                                      [](double) { return true; }, result));
+  GDP_CHECK(GDPI::jet_curvatures(
+    std::is_same<Tag, CGAL::Parallel_tag>::value, a.points, a.offsets, a.neighbors, a.normals, degree,
+    [](double) { return true; }, result));
   GDP_CHECK(result.size() == a.points.size());
   return result;
 }
@@ -289,7 +301,8 @@ Errors errors(const Surface& surface, const std::vector<Vec3>& where, const std:
       continue;
     ++count;
     const Principal_curvatures exact = surface.curvatures(where[i]);
-    const double d1 = computed[i].min_curvature - exact.min_curvature, d2 = computed[i].max_curvature - exact.max_curvature;
+    const double d1 = computed[i].min_curvature - exact.min_curvature,
+                 d2 = computed[i].max_curvature - exact.max_curvature;
     e.curvature += d1 * d1 + d2 * d2;
     e.tensor += (tensor(computed[i]) - surface.tensor(where[i])).squaredNorm();
     e.worst = (std::max)({ e.worst, std::abs(d1), std::abs(d2) });
@@ -440,19 +453,24 @@ void test_concurrency_and_cancellation()
     std::vector<Principal_curvatures> result;
     std::vector<double> progress;
     bool is_inside = false;
-    GDP_CHECK(GDPI::jet_curvatures(std::is_same<decltype(tag), CGAL::Parallel_tag>::value, a.points, a.offsets, a.neighbors, a.normals, 2, [&](double x) {
-      GDP_CHECK(!is_inside);
-      is_inside = true;
-      progress.push_back(x);
-      is_inside = false;
-      return true; }, result));
+    GDP_CHECK(GDPI::jet_curvatures(
+      std::is_same<decltype(tag), CGAL::Parallel_tag>::value, a.points, a.offsets, a.neighbors, a.normals, 2,
+      [&](double x) {
+        GDP_CHECK(!is_inside);
+        is_inside = true;
+        progress.push_back(x);
+        is_inside = false;
+        return true;
+      },
+      result));
     GDP_CHECK(progress.size() >= a.points.size() / 2000);
     GDP_CHECK(std::is_sorted(progress.begin(), progress.end()));
     GDP_CHECK(progress.front() > 0 && progress.back() == 1);
 
     int calls = 0;
-    GDP_CHECK(!GDPI::jet_curvatures(std::is_same<decltype(tag), CGAL::Parallel_tag>::value, a.points, a.offsets, a.neighbors, a.normals, 2,
-                                                    [&](double) { return ++calls < 3; }, result));
+    GDP_CHECK(!GDPI::jet_curvatures(
+      std::is_same<decltype(tag), CGAL::Parallel_tag>::value, a.points, a.offsets, a.neighbors, a.normals, 2,
+      [&](double) { return ++calls < 3; }, result));
     GDP_CHECK(calls == 3);
   };
   watch(CGAL::Sequential_tag());
@@ -479,8 +497,9 @@ void test_degenerate_neighborhoods_of_jets()
     by_jets(Arrays(with({}, {}, up)), degree);
 
     // too few points: flat, in a frame orthogonal to the normal
-    for(const Arrays& a : { with({ Vec3(1, 2, 3) }, {}, up), with({ corners[0], corners[1], corners[2] }, {{{ 0, 1, 2 }}}, up),
-                            with(corners, tetrahedron, Vec3(1, 1, 1).normalized()), with(corners, tetrahedron, Vec3::Zero()) })
+    for(const Arrays& a :
+        {with({Vec3(1, 2, 3)}, {}, up), with({corners[0], corners[1], corners[2]}, {{{0, 1, 2}}}, up),
+         with(corners, tetrahedron, Vec3(1, 1, 1).normalized()), with(corners, tetrahedron, Vec3::Zero())})
       for(const Principal_curvatures& c : by_jets(a, degree))
       {
         GDP_CHECK(is_flat(c));
@@ -595,7 +614,8 @@ void test_curvatures_from_normals()
       continue;
     for(double scale : { 1e-150, 1., 1e150 })
     {
-      const Principal_curvatures c = GDPI::triangle_curvatures(scale * p[0], scale * p[1], scale * p[2], p[0], p[1], p[2]);
+      const Principal_curvatures c =
+        GDPI::triangle_curvatures(scale * p[0], scale * p[1], scale * p[2], p[0], p[1], p[2]);
       GDP_CHECK(is_sound(c));
       GDP_CHECK_NEAR(c.min_curvature * scale, 1, 1e-12);
       GDP_CHECK_NEAR(c.max_curvature * scale, 1, 1e-12);
@@ -674,9 +694,10 @@ void test_degenerate_triangles()
     {{ along, along, along }}, {{ along, along, 2 * along }}, {{ 0 * along, along, 3 * along }},
     {{ 1e7 * along, 1e7 * along, -1e7 * along }}, {{ Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.5, 1e-14, 0) }},
     {{ Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, tiny, 0) }}, {{ 1e150 * along, -1e150 * along, 0 * along }} };
-  const std::vector<std::array<Vec3, 3> > finite = {
-    {{ Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.5, 1e-9, 0) }}, {{ Vec3(0, 0, 0), Vec3(1e-9, 0, 0), Vec3(0, 1, 0) }},
-    {{ Vec3(0, 0, 0), Vec3(tiny, 0, 0), Vec3(0, tiny, 0) }}, {{ Vec3(0, 0, 0), Vec3(1e150, 0, 0), Vec3(0, 1e145, 0) }} };
+  const std::vector<std::array<Vec3, 3> > finite = {{{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.5, 1e-9, 0)}},
+                                                    {{Vec3(0, 0, 0), Vec3(1e-9, 0, 0), Vec3(0, 1, 0)}},
+                                                    {{Vec3(0, 0, 0), Vec3(tiny, 0, 0), Vec3(0, tiny, 0)}},
+                                                    {{Vec3(0, 0, 0), Vec3(1e150, 0, 0), Vec3(0, 1e145, 0)}}};
   std::array<int, 3> order = {{ 0, 1, 2 }};
   do
   {
@@ -702,7 +723,8 @@ void test_eigenpairs()
     const GDPI::Tangent_frame frame = GDPI::frame_of_normal(Vec3(random(), random(), random()));
     GDP_CHECK_NEAR(frame.e1.dot(frame.e2), 0, 1e-15);
     const double scale = std::pow(10., 100 * random());
-    const double a = scale * random(), b = scale * random() * (trial % 3), c = trial % 2 ? a * (1 + 1e-9 * random()) : scale * random();
+    const double a = scale * random(), b = scale * random() * (trial % 3),
+                 c = trial % 2 ? a * (1 + 1e-9 * random()) : scale * random();
     const Principal_curvatures k = GDPI::diagonalize(a, b, c, frame);
     GDP_CHECK(is_sound(k));
     const Mat3 expected = a * frame.e1 * frame.e1.transpose() + c * frame.e2 * frame.e2.transpose() +

@@ -141,13 +141,15 @@ void check_settings()
         solver->solver().cholmod().method[0].ordering = ordering;
       }
     GDP_CHECK(fixture.run(GDP::parameters::sparse_linear_solver(vertices)) == GDP::OK);
-    GDP_CHECK(GDP::process_face_signal(fixture.tm, signal, signal, GDP::parameters::sparse_linear_solver(faces)) == GDP::OK);
+    GDP_CHECK(GDP::process_face_signal(fixture.tm, signal, signal, GDP::parameters::sparse_linear_solver(faces))
+              == GDP::OK);
     const cholmod_common& before = untouched.solver().cholmod();
     for(Solver* solver : {&vertices, &faces})
     {
       const cholmod_common& after = solver->solver().cholmod();
       GDP_CHECK(after.nmethods == before.nmethods && after.method[0].ordering == before.method[0].ordering);
-      GDP_CHECK(after.postorder == before.postorder && after.print == before.print && after.nrelax[0] == before.nrelax[0]);
+      GDP_CHECK(after.postorder == before.postorder && after.print == before.print
+                && after.nrelax[0] == before.nrelax[0]);
     }
   }
 }
@@ -163,7 +165,8 @@ int main()
   // the direct solvers differ by rounding, the iterative one by its tolerance
   check_agreement("SimplicialLLT", CGAL::Eigen_solver_traits<Eigen::SimplicialLLT<Sparse> >(), 1e-13);
   check_agreement("SimplicialLDLT", CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Sparse> >(), 1e-13);
-  check_agreement("SimplicialLLT, upper", CGAL::Eigen_solver_traits<Eigen::SimplicialLLT<Sparse, Eigen::Upper> >(), 1e-13);
+  check_agreement("SimplicialLLT, upper", CGAL::Eigen_solver_traits<Eigen::SimplicialLLT<Sparse, Eigen::Upper> >(),
+                  1e-13);
 #ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD
   check_agreement("CholmodSupernodalLLT", CGAL::Eigen_solver_traits<Eigen::CholmodSupernodalLLT<Sparse> >(), 1e-13);
 #endif

@@ -38,8 +38,11 @@ struct Masks
 
   GDP::Error_code run(bool area_normalization)
   {
-    return GDP::process_signal(mesh, in, out, GDP::parameters::vertex_value_weight_map(alpha).face_gradient_weight_map(beta)
-                                                .face_gradient_scale_map(lambda).area_normalization(area_normalization));
+    return GDP::process_signal(mesh, in, out,
+                               GDP::parameters::vertex_value_weight_map(alpha)
+                                 .face_gradient_weight_map(beta)
+                                 .face_gradient_scale_map(lambda)
+                                 .area_normalization(area_normalization));
   }
 
   Eigen::MatrixXd result() const
@@ -95,9 +98,12 @@ void test_constant_masks()
           }
           GDP_CHECK(masks.run(area_normalization) == GDP::OK);
           const Eigen::MatrixXd by_masks = masks.result();
-          GDP_CHECK(GDP::process_signal(masks.mesh, masks.in, masks.out,
-                                        GDP::parameters::value_weight(alpha).gradient_weight(beta).gradient_scale(lambda)
-                                          .area_normalization(area_normalization)) == GDP::OK);
+          GDP_CHECK(
+            GDP::process_signal(
+              masks.mesh, masks.in, masks.out,
+              GDP::parameters::value_weight(alpha).gradient_weight(beta).gradient_scale(lambda).area_normalization(
+                area_normalization))
+            == GDP::OK);
           GDP_CHECK_NEAR((by_masks - masks.result()).cwiseAbs().maxCoeff(), 0, 1e-13);
           GDP_CHECK((by_masks - positions(masks.mesh)).cwiseAbs().maxCoeff() > 1e-4);
         }
@@ -124,7 +130,8 @@ void test_varying_masks()
       }
 }
 
-// Three zones of a strip: smoothed, sharpened, left alone. Each is, away from the others, as if it were all of the mesh.
+// Three zones of a strip: smoothed, sharpened, left alone. Each is, away from the others, as if it were all of the
+// mesh.
 void test_brushes()
 {
   const int n = 120;
@@ -163,7 +170,8 @@ void test_brushes()
       roughness[1] += together(int(v), 2) * together(int(v), 2);
     }
     const double factor = std::sqrt(roughness[1] / roughness[0]);
-    std::cout << "zone " << z << ": amplitude times " << factor << ", changed by " << change << ", against alone " << error << std::endl;
+    std::cout << "zone " << z << ": amplitude times " << factor << ", changed by " << change << ", against alone "
+              << error << std::endl;
     GDP_CHECK(error < 1e-4);
     if(z == 0)
       GDP_CHECK(factor < 0.7);
@@ -200,14 +208,15 @@ void test_masks_of_nothing()
     GDP_CHECK(same_bits(masks.out[v], masks.in[v]));
 }
 
-// Where the value weight varies, a border that is filtered as a curve minimizes the energy of the curve: with dense matrices, and Simpson's
-// rule, which is exact for alpha times two hat functions.
+// Where the value weight varies, a border that is filtered as a curve minimizes the energy of the curve: with dense
+// matrices, and Simpson's rule, which is exact for alpha times two hat functions.
 void test_varying_masks_along_border()
 {
   Mesh mesh = mesh_of(jittered_square(7));
   const int n = int(mesh.number_of_vertices());
   auto alpha = mesh.add_property_map<Vertex, double>("v:alpha").first;
-  auto in = mesh.add_property_map<Vertex, double>("v:in").first, out = mesh.add_property_map<Vertex, double>("v:out").first;
+  auto in = mesh.add_property_map<Vertex, double>("v:in").first,
+       out = mesh.add_property_map<Vertex, double>("v:out").first;
   for(Vertex v : mesh.vertices())
   {
     alpha[v] = 0.3 + int(v) % 4;
@@ -220,7 +229,8 @@ void test_varying_masks_along_border()
     if(!mesh.is_border(h))
       continue;
     const Vertex ends[2] = {mesh.source(h), mesh.target(h)};
-    const double length = (vec(mesh.point(ends[1])) - vec(mesh.point(ends[0]))).norm(), middle = (alpha[ends[0]] + alpha[ends[1]]) / 2;
+    const double length = (vec(mesh.point(ends[1])) - vec(mesh.point(ends[0]))).norm(),
+                 middle = (alpha[ends[0]] + alpha[ends[1]]) / 2;
     for(int i : {0, 1})
       for(int j : {0, 1})
       {
@@ -236,20 +246,26 @@ void test_varying_masks_along_border()
       masses(int(v), int(v)) = 1;
   }
   const Eigen::VectorXd expected = (masses + stiffness).ldlt().solve(masses * f);
-  GDP_CHECK(GDP::process_signal(mesh, in, out, GDP::parameters::vertex_value_weight_map(alpha).gradient_weight(beta).area_normalization(false)
-                                                 .border_condition(GDP::Border_condition::ALONG_BORDER)) == GDP::OK);
+  GDP_CHECK(
+    GDP::process_signal(
+      mesh, in, out,
+      GDP::parameters::vertex_value_weight_map(alpha).gradient_weight(beta).area_normalization(false).border_condition(
+        GDP::Border_condition::ALONG_BORDER))
+    == GDP::OK);
   for(Vertex v : mesh.vertices())
     if(mesh.is_border(v))
       GDP_CHECK_NEAR(out[v], expected[int(v)], 1e-12);
 }
 
-// What has neither values nor gradients to keep stays to the bit, also where the mean of the rest is set right after the solution.
+// What has neither values nor gradients to keep stays to the bit, also where the mean of the rest is set right after
+// the solution.
 void test_rest_of_component()
 {
   Mesh mesh = mesh_of(jittered_square(10));
   auto alpha = mesh.add_property_map<Vertex, double>("v:alpha", 0.).first;
   auto beta = mesh.add_property_map<Face, double>("f:beta", 0.).first;
-  auto in = mesh.add_property_map<Vertex, double>("v:in").first, out = mesh.add_property_map<Vertex, double>("v:out").first;
+  auto in = mesh.add_property_map<Vertex, double>("v:in").first;
+  auto out = mesh.add_property_map<Vertex, double>("v:out").first;
   for(Vertex v : mesh.vertices())
   {
     in[v] = 1 + std::sin(3. * int(v)) / 3;
@@ -259,7 +275,9 @@ void test_rest_of_component()
     for(Vertex v : corners(mesh, f))
       if(alpha[v] != 0)
         beta[f] = 1;
-  GDP_CHECK(GDP::process_signal(mesh, in, out, GDP::parameters::vertex_value_weight_map(alpha).face_gradient_weight_map(beta)) == GDP::OK);
+  GDP_CHECK(
+    GDP::process_signal(mesh, in, out, GDP::parameters::vertex_value_weight_map(alpha).face_gradient_weight_map(beta))
+    == GDP::OK);
   int at_rest = 0;
   for(Vertex v : mesh.vertices())
     if(mesh.point(v).x() > 0.7)
@@ -272,8 +290,8 @@ void test_rest_of_component()
   GDP_CHECK(at_rest > 10);
 }
 
-// Two faces of area a under the weight w of their edge: their difference is divided by 1 + 2 beta w / a. By default w = 3 in a square, and
-// beta is relative to the area.
+// Two faces of area a under the weight w of their edge: their difference is divided by 1 + 2 beta w / a. By default w =
+// 3 in a square, and beta is relative to the area.
 void test_two_faces()
 {
   for(double size : {1., 7.})

@@ -73,7 +73,8 @@ void check_signal(double tolerance)
     ++i;
   }
   out = in;
-  GDP_CHECK(GDP::process_signal(tm, boost::make_assoc_property_map(in), boost::make_assoc_property_map(out)) == GDP::OK);
+  GDP_CHECK(GDP::process_signal(tm, boost::make_assoc_property_map(in), boost::make_assoc_property_map(out))
+            == GDP::OK);
   std::vector<Coordinates> values;
   for(Vertex v : vertices(tm))
     values.push_back({{out[v].x(), out[v].y(), out[v].z()}});
@@ -96,7 +97,10 @@ struct Point_list_map
     const Coordinates& p = map.list->at(v);
     return value_type(p[0], p[1], p[2]);
   }
-  friend void put(const Point_list_map& map, key_type v, const value_type& p) { map.list->at(v) = {{p.x(), p.y(), p.z()}}; }
+  friend void put(const Point_list_map& map, key_type v, const value_type& p)
+  {
+    map.list->at(v) = {{p.x(), p.y(), p.z()}};
+  }
 };
 
 void check_point_map()

@@ -126,7 +126,8 @@ inline Soup grid(int m, int n)
   return soup;
 }
 
-// A torus of m x n cells. The point of cell (i, j) tells its place: it is on a torus of revolution, whose metric is not flat.
+// A torus of m x n cells. The point of cell (i, j) tells its place: it is on a torus of revolution, whose metric is not
+// flat.
 inline Soup torus(int m, int n)
 {
   const double two_pi = 8 * std::atan(1.);
@@ -157,12 +158,16 @@ Soup transformed(Soup soup, const Function& function)
 
 inline Soup scaled(const Soup& soup, double factor)
 {
-  return transformed(soup, [&](const Coordinates& p) { return Coordinates{{factor * p[0], factor * p[1], factor * p[2]}}; });
+  return transformed(soup, [&](const Coordinates& p) {
+    return Coordinates{{factor * p[0], factor * p[1], factor * p[2]}};
+  });
 }
 
 inline Soup translated(const Soup& soup, const Coordinates& by)
 {
-  return transformed(soup, [&](const Coordinates& p) { return Coordinates{{p[0] + by[0], p[1] + by[1], p[2] + by[2]}}; });
+  return transformed(soup, [&](const Coordinates& p) {
+    return Coordinates{{p[0] + by[0], p[1] + by[1], p[2] + by[2]}};
+  });
 }
 
 // A rotation about no axis in particular.

@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The multigrid preconditioner: few iterations on every kind of mesh, slivers included, under every metric, and the same bits on any
-// number of threads.
+// The multigrid preconditioner: few iterations on every kind of mesh, slivers included, under every metric, and the
+// same bits on any number of threads.
 
 #include "test_meshes.h"
 #include "test_utils.h"
@@ -54,7 +54,8 @@ Sparse system(const Soup& soup, double beta, const Metric& metric)
     const double doubled = (std::max)(e[0].cross(e[1]).norm(), 1.5e-8 * longest);
     for(int i = 0; i < 3; ++i)
       for(int j = 0; j < 3; ++j)
-        entries.emplace_back(t[i], t[j], doubled / 24 * (i == j ? 2 : 1) + beta * area * e[i].dot(e[j]) / (2 * doubled));
+        entries.emplace_back(t[i], t[j],
+                             doubled / 24 * (i == j ? 2 : 1) + beta * area * e[i].dot(e[j]) / (2 * doubled));
   }
   Sparse a(int(soup.points.size()), int(soup.points.size()));
   a.setFromTriplets(entries.begin(), entries.end());
@@ -114,8 +115,8 @@ int check(const std::string& name, const Soup& soup, double beta, const Metric& 
   const Eigen::SimplicialLLT<Sparse> exact(a);
   const Eigen::MatrixXd y = exact.solve(b);
   const double error = (x - y).cwiseAbs().maxCoeff() / y.cwiseAbs().maxCoeff();
-  std::cout << name << ", beta " << beta << ": " << a.rows() << " rows, " << solver.iterations << " iterations, at most " << max_iterations
-            << "; against Cholesky " << error << std::endl;
+  std::cout << name << ", beta " << beta << ": " << a.rows() << " rows, " << solver.iterations
+            << " iterations, at most " << max_iterations << "; against Cholesky " << error << std::endl;
   GDP_CHECK(error < 1e-6);
   GDP_CHECK(solver.iterations <= max_iterations);
   return solver.iterations;

@@ -50,24 +50,51 @@ void check_lookup()
     GDP_CHECK(value_of(np, number_of_relaxation_steps) == 2);
     GDP_CHECK(value_of(np, area_normalization) == false);
   };
-  check(GDP::parameters::gradient_weight(0.25).number_of_iterations(7).value_weight(3.).number_of_relaxation_steps(2).area_normalization(false));
-  check(GDP::parameters::number_of_iterations(7).number_of_relaxation_steps(2).gradient_weight(0.25).area_normalization(false).value_weight(3.));
+  check(GDP::parameters::gradient_weight(0.25)
+          .number_of_iterations(7)
+          .value_weight(3.)
+          .number_of_relaxation_steps(2)
+          .area_normalization(false));
+  check(GDP::parameters::number_of_iterations(7)
+          .number_of_relaxation_steps(2)
+          .gradient_weight(0.25)
+          .area_normalization(false)
+          .value_weight(3.));
   check(GDP::parameters::with(CGAL::parameters::number_of_iterations(7).number_of_relaxation_steps(2))
           .area_normalization(false).gradient_weight(0.25).value_weight(3.));
-  check(GDP::parameters::with(CGAL::parameters::number_of_relaxation_steps(2)).gradient_weight(0.25).number_of_iterations(7).value_weight(3.)
+  check(GDP::parameters::with(CGAL::parameters::number_of_relaxation_steps(2))
+          .gradient_weight(0.25)
+          .number_of_iterations(7)
+          .value_weight(3.)
           .area_normalization(false));
-  check(GDP::parameters::with(GDP::parameters::with(CGAL::parameters::number_of_relaxation_steps(2)).gradient_weight(0.25))
-          .number_of_iterations(7).value_weight(3.).area_normalization(false));
-  check(GDP::parameters::with(GDP::parameters::default_values()).gradient_weight(0.25).number_of_iterations(7).number_of_relaxation_steps(2)
-          .value_weight(3.).area_normalization(false));
+  check(
+    GDP::parameters::with(GDP::parameters::with(CGAL::parameters::number_of_relaxation_steps(2)).gradient_weight(0.25))
+      .number_of_iterations(7)
+      .value_weight(3.)
+      .area_normalization(false));
+  check(GDP::parameters::with(GDP::parameters::default_values())
+          .gradient_weight(0.25)
+          .number_of_iterations(7)
+          .number_of_relaxation_steps(2)
+          .value_weight(3.)
+          .area_normalization(false));
   // the last one of a name counts
   check(GDP::parameters::gradient_weight(1e9).number_of_iterations(1).gradient_weight(0.25).number_of_iterations(7)
           .value_weight(3.).number_of_relaxation_steps(2).area_normalization(true).area_normalization(false));
 
-  static_assert(GDP::internal::Has_parameter<gradient_weight_t, decltype(GDP::parameters::gradient_weight(1.).number_of_relaxation_steps(2))>::value, "");
-  static_assert(!GDP::internal::Has_parameter<gradient_scale_t, decltype(GDP::parameters::gradient_weight(1.).number_of_relaxation_steps(2))>::value, "");
-  static_assert(!GDP::internal::Has_parameter<gradient_weight_t, decltype(CGAL::parameters::number_of_relaxation_steps(2))>::value, "");
-  static_assert(!GDP::internal::Has_parameter<gradient_weight_t, decltype(GDP::parameters::default_values())>::value, "");
+  static_assert(
+    GDP::internal::Has_parameter<gradient_weight_t,
+                                 decltype(GDP::parameters::gradient_weight(1.).number_of_relaxation_steps(2))>::value,
+    "");
+  static_assert(
+    !GDP::internal::Has_parameter<gradient_scale_t,
+                                  decltype(GDP::parameters::gradient_weight(1.).number_of_relaxation_steps(2))>::value,
+    "");
+  static_assert(
+    !GDP::internal::Has_parameter<gradient_weight_t, decltype(CGAL::parameters::number_of_relaxation_steps(2))>::value,
+    "");
+  static_assert(!GDP::internal::Has_parameter<gradient_weight_t, decltype(GDP::parameters::default_values())>::value,
+                "");
 }
 
 struct Fixture
@@ -111,8 +138,11 @@ void check_order()
                                       .vertex_is_constrained_map(x.constrained).number_of_iterations(2); });
   run([](const Fixture& x) { return GDP::parameters::number_of_iterations(2).vertex_is_constrained_map(x.constrained)
                                       .gradient_weight(1e-3).vertex_point_map(x.other); });
-  run([](const Fixture& x) { return GDP::parameters::with(CGAL::parameters::vertex_point_map(x.other).number_of_iterations(2))
-                                      .gradient_weight(1e-3).vertex_is_constrained_map(x.constrained); });
+  run([](const Fixture& x) {
+    return GDP::parameters::with(CGAL::parameters::vertex_point_map(x.other).number_of_iterations(2))
+      .gradient_weight(1e-3)
+      .vertex_is_constrained_map(x.constrained);
+  });
   GDP_CHECK(distance(results[0], results[1]) == 0);
   GDP_CHECK(distance(results[0], results[2]) == 0);
 
@@ -127,7 +157,8 @@ void check_order()
 void check_packs()
 {
   Fixture a, b, c, d;
-  GDP_CHECK(GDP::smooth(a.tm, CGAL::parameters::vertex_point_map(a.other).vertex_is_constrained_map(a.constrained)) == GDP::OK);
+  GDP_CHECK(GDP::smooth(a.tm, CGAL::parameters::vertex_point_map(a.other).vertex_is_constrained_map(a.constrained))
+            == GDP::OK);
   auto lvalue = GDP::parameters::vertex_is_constrained_map(b.constrained).vertex_point_map(b.other);
   GDP_CHECK(GDP::smooth(b.tm, lvalue) == GDP::OK);
   const auto const_lvalue = CGAL::parameters::vertex_point_map(c.other).vertex_is_constrained_map(c.constrained);
@@ -168,9 +199,11 @@ void check_other_packages()
   Fixture x;
   const double area = PMP::area(x.tm);
   GDP_CHECK_NEAR(PMP::area(x.tm, GDP::parameters::vertex_point_map(x.other)), 4 * area, 1e-12 * area);
-  GDP_CHECK_NEAR(PMP::area(x.tm, GDP::parameters::gradient_weight(1e-3).vertex_point_map(x.other).gradient_scale(2)), 4 * area, 1e-12 * area);
+  GDP_CHECK_NEAR(PMP::area(x.tm, GDP::parameters::gradient_weight(1e-3).vertex_point_map(x.other).gradient_scale(2)),
+                 4 * area, 1e-12 * area);
   GDP_CHECK_NEAR(PMP::area(x.tm, GDP::parameters::gradient_weight(1e-3)), area, 1e-12 * area);
-  GDP_CHECK_NEAR(PMP::area(x.tm, GDP::parameters::with(CGAL::parameters::vertex_point_map(x.other)).value_weight(2)), 4 * area, 1e-12 * area);
+  GDP_CHECK_NEAR(PMP::area(x.tm, GDP::parameters::with(CGAL::parameters::vertex_point_map(x.other)).value_weight(2)),
+                 4 * area, 1e-12 * area);
   const auto lvalue = GDP::parameters::vertex_point_map(x.other).gradient_weight(1e-3);
   GDP_CHECK_NEAR(PMP::area(x.tm, lvalue), 4 * area, 1e-12 * area);
 
@@ -180,9 +213,11 @@ void check_other_packages()
   auto normals = x.tm.add_property_map<Vertex, K::Vector_3>("v:normal").first;
   auto others = x.tm.add_property_map<Vertex, K::Vector_3>("v:other_normal").first;
   PMP::compute_vertex_normals(x.tm, normals, GDP::parameters::gradient_weight(1.));
-  PMP::compute_vertex_normals(x.tm, others, GDP::parameters::gradient_weight(1.).vertex_point_map(x.other).geom_traits(K()));
+  PMP::compute_vertex_normals(x.tm, others,
+                              GDP::parameters::gradient_weight(1.).vertex_point_map(x.other).geom_traits(K()));
   for(Vertex v : vertices(x.tm))
-    GDP_CHECK_NEAR((others[v] - K::Vector_3(-normals[v].x(), normals[v].y(), -normals[v].z())).squared_length(), 0, 1e-20);
+    GDP_CHECK_NEAR((others[v] - K::Vector_3(-normals[v].x(), normals[v].y(), -normals[v].z())).squared_length(), 0,
+                   1e-20);
 }
 
 // Remeshing coarser: no pass leaves all vertices, one pass those that the pack constrains.

@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Identities of the operators: S = D G, S 1 = 0, sum(M) = area, exact integrals of linear functions, definiteness, scaling of
-// the metric; on embeddings and under any metric; with gaps in the indices and with isolated vertices.
+// Identities of the operators: S = D G, S 1 = 0, sum(M) = area, exact integrals of linear functions, definiteness,
+// scaling of the metric; on embeddings and under any metric; with gaps in the indices and with isolated vertices.
 
 #include "test_meshes.h"
 #include "test_utils.h"
@@ -71,7 +71,8 @@ double norm(const Eigen::MatrixXd& m) { return m.size() == 0 ? 0 : m.cwiseAbs().
 void check_identities(const Mesh& tm, const Operators& op, const std::vector<double>& areas, int components)
 {
   const double sum = std::accumulate(areas.begin(), areas.end(), 0.);
-  const Eigen::VectorXd ones_v = Eigen::VectorXd::Ones(op.mass.rows()), ones_f = Eigen::VectorXd::Ones(op.gradient.rows());
+  const Eigen::VectorXd ones_v = Eigen::VectorXd::Ones(op.mass.rows()),
+                        ones_f = Eigen::VectorXd::Ones(op.gradient.rows());
   const Eigen::MatrixXd mass(op.mass), stiffness(op.stiffness);
   const double eps = 1e-13;
 
@@ -109,8 +110,10 @@ void check_identities(const Mesh& tm, const Operators& op, const std::vector<dou
       m(a, b) = mass(used[a], used[b]);
       s(a, b) = stiffness(used[a], used[b]);
     }
-  const Eigen::VectorXd of_mass = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(m, Eigen::EigenvaluesOnly).eigenvalues(),
-                        of_stiffness = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(s, Eigen::EigenvaluesOnly).eigenvalues();
+  const Eigen::VectorXd of_mass =
+                          Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(m, Eigen::EigenvaluesOnly).eigenvalues(),
+                        of_stiffness =
+                          Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(s, Eigen::EigenvaluesOnly).eigenvalues();
   GDP_CHECK(of_mass[0] > 0);
   for(int k = 0; k < components; ++k)
     GDP_CHECK(std::abs(of_stiffness[k]) <= 1e-12 * of_stiffness[n - 1]);
@@ -290,13 +293,16 @@ void check_index_maps(Mesh tm)
   const Operators other = operators(tm, GDP::parameters::vertex_index_map(vertex_indices).face_index_map(face_indices));
   GDP_CHECK(other.mass.rows() == int(n) && other.gradient.rows() == int(2 * m));
 
-  Eigen::MatrixXd to_vertices = Eigen::MatrixXd::Zero(n, usual.mass.rows()), to_faces = Eigen::MatrixXd::Zero(2 * m, usual.gradient.rows());
+  Eigen::MatrixXd to_vertices = Eigen::MatrixXd::Zero(n, usual.mass.rows()),
+                  to_faces = Eigen::MatrixXd::Zero(2 * m, usual.gradient.rows());
   for(Vertex v : vertices(tm))
     to_vertices(vertex_indices[v], int(v)) = 1;
   for(Face f : faces(tm))
     for(int side = 0; side < 2; ++side)
       to_faces(2 * face_indices[f] + side, 2 * int(f) + side) = 1;
-  const auto same = [](const Sparse& a, const Eigen::MatrixXd& b) { return norm(Eigen::MatrixXd(a) - b) <= 1e-14 * norm(b); };
+  const auto same = [](const Sparse& a, const Eigen::MatrixXd& b) {
+    return norm(Eigen::MatrixXd(a) - b) <= 1e-14 * norm(b);
+  };
   GDP_CHECK(same(other.mass, to_vertices * usual.mass * to_vertices.transpose()));
   GDP_CHECK(same(other.stiffness, to_vertices * usual.stiffness * to_vertices.transpose()));
   GDP_CHECK(same(other.gradient, to_faces * usual.gradient * to_vertices.transpose()));
@@ -324,8 +330,10 @@ void check_errors()
     {
       Sparse matrix(2, 3);
       matrix.insert(1, 2) = 5;
-      const GDP::Error_code code = i == 0 ? GDP::mass_matrix(tm, matrix, np) : i == 1 ? GDP::stiffness_matrix(tm, matrix, np)
-                                 : i == 2 ? GDP::gradient_matrix(tm, matrix, np) : GDP::divergence_matrix(tm, matrix, np);
+      const GDP::Error_code code = i == 0   ? GDP::mass_matrix(tm, matrix, np)
+                                   : i == 1 ? GDP::stiffness_matrix(tm, matrix, np)
+                                   : i == 2 ? GDP::gradient_matrix(tm, matrix, np)
+                                            : GDP::divergence_matrix(tm, matrix, np);
       GDP_CHECK(code == expected);
       GDP_CHECK(matrix.rows() == 2 && matrix.cols() == 3 && matrix.coeff(1, 2) == 5);
     }

@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A thousand small meshes of random connectivity and random slivers, through the filters with random parameters: finite, no
-// more energy than the input has, and the same from another solver.
+// A thousand small meshes of random connectivity and random slivers, through the filters with random parameters:
+// finite, no more energy than the input has, and the same from another solver.
 
 #include "test_shapes.h"
 #include "test_utils.h"
@@ -80,7 +80,8 @@ Mesh random_mesh(Random& random)
     if(mesh.is_border(h))
       continue;
     const Vec a = vec(mesh.point(mesh.source(h))), b = vec(mesh.point(mesh.target(h)));
-    const double along = random.below(2) ? random.in(0, 1) : random.below(2), size = random.below(2) ? 0 : std::pow(10., -random.in(3, 14));
+    const double along = random.below(2) ? random.in(0, 1) : random.below(2),
+                 size = random.below(2) ? 0 : std::pow(10., -random.in(3, 14));
     const double x = random(), y = random(), z = random();
     const Vec p = a + along * (b - a) + size * Vec(x, y, z);
     mesh.point(mesh.target(mesh.next(h))) = Point(p.x(), p.y(), p.z());
@@ -107,8 +108,10 @@ struct Settings
 
 Settings random_settings(Random& random)
 {
-  const Kind kinds[] = {Kind::EMBEDDING, Kind::EDGE_AWARE, Kind::ANISOTROPIC, Kind::PRESERVE_CONVEX, Kind::PRESERVE_CONCAVE};
-  const GDP::Border_condition borders[] = {GDP::Border_condition::FREE, GDP::Border_condition::FIXED, GDP::Border_condition::ALONG_BORDER};
+  const Kind kinds[] = {Kind::EMBEDDING, Kind::EDGE_AWARE, Kind::ANISOTROPIC, Kind::PRESERVE_CONVEX,
+                        Kind::PRESERVE_CONCAVE};
+  const GDP::Border_condition borders[] = {GDP::Border_condition::FREE, GDP::Border_condition::FIXED,
+                                           GDP::Border_condition::ALONG_BORDER};
   Settings s;
   s.kind = kinds[random.below(5)];
   s.estimator = random.below(2) ? Estimator::JETS : Estimator::NORMALS;
@@ -171,7 +174,8 @@ int main()
     {
       double longest = 0;
       for(auto h : before.halfedges_around_face(before.halfedge(f)))
-        longest = (std::max)(longest, (vec(before.point(before.source(h))) - vec(before.point(before.target(h)))).squaredNorm());
+        longest = (std::max)(longest,
+                             (vec(before.point(before.source(h))) - vec(before.point(before.target(h)))).squaredNorm());
       quality = (std::min)(quality, longest > 0 ? area_vector(before, f).norm() / longest : 0);
     }
     slivers += quality < 1e-3;
@@ -181,7 +185,8 @@ int main()
     GDP_CHECK(GDP::mass_matrix(before, mass) == GDP::OK);
     GDP_CHECK(GDP::stiffness_matrix(before, stiffness) == GDP::OK);
     const Eigen::Index rows = mass.rows();
-    const Eigen::MatrixXd f = all_positions(before, rows), g = all_positions(mesh, rows), one = Eigen::MatrixXd::Ones(rows, 1);
+    const Eigen::MatrixXd f = all_positions(before, rows), g = all_positions(mesh, rows),
+                          one = Eigen::MatrixXd::Ones(rows, 1);
     const double beta = s.beta * mass.sum(), size = f.cwiseAbs().maxCoeff();
     GDP_CHECK_NEAR((stiffness * one).cwiseAbs().maxCoeff(), 0, 1e-9 * stiffness.coeffs().cwiseAbs().maxCoeff());
     GDP_CHECK_NEAR((Eigen::MatrixXd(mass) - Eigen::MatrixXd(mass).transpose()).norm(), 0, 0);
@@ -207,13 +212,14 @@ int main()
       ++compared;
     }
     if(number_of_failures() > failures)
-      std::cerr << "  mesh " << trial << ": " << before.number_of_vertices() << " vertices, quality " << quality << ", kind " << int(s.kind)
-                << ", estimator " << int(s.estimator) << ", border " << int(s.border) << ", alpha " << s.alpha << ", beta " << s.beta
-                << ", lambda " << s.lambda << ", epsilon " << s.epsilon << ", gamma " << s.gamma << std::endl;
+      std::cerr << "  mesh " << trial << ": " << before.number_of_vertices() << " vertices, quality " << quality
+                << ", kind " << int(s.kind) << ", estimator " << int(s.estimator) << ", border " << int(s.border)
+                << ", alpha " << s.alpha << ", beta " << s.beta << ", lambda " << s.lambda << ", epsilon " << s.epsilon
+                << ", gamma " << s.gamma << std::endl;
   }
-  std::cout << number << " meshes, " << open << " open, " << slivers << " with slivers, " << with_gaps << " with gaps; " << compared
-            << " compared with another solver, largest difference " << worst << " of the size; largest part of the energy left "
-            << worst_energy << std::endl;
+  std::cout << number << " meshes, " << open << " open, " << slivers << " with slivers, " << with_gaps << " with gaps; "
+            << compared << " compared with another solver, largest difference " << worst
+            << " of the size; largest part of the energy left " << worst_energy << std::endl;
   GDP_CHECK(slivers > 200 && compared > 200 && with_gaps > 100 && open > 300);
   return GDP_TEST_RESULT();
 }

@@ -4,9 +4,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Figure 1 of the paper on a scan: a simulated one, so that its creases are known. A range scanner looks down on a part and
-// measures heights on a grid that is turned against it, with noise along the line of sight. No vertex lies on a crease.
-// With the name of a folder, the meshes of the first scan are written there.
+// Figure 1 of the paper on a scan: a simulated one, so that its creases are known. A range scanner looks down on a part
+// and measures heights on a grid that is turned against it, with noise along the line of sight. No vertex lies on a
+// crease. With the name of a folder, the meshes of the first scan are written there.
 
 #include "test_creases.h"
 
@@ -31,8 +31,8 @@ struct Surface_point
   int face; // of the part
 };
 
-// A plate with a truncated pyramid, a dome, a groove and a roof on it: creases of 35 to 70 degrees, convex and concave, straight
-// and round, between planes and curved faces. Nothing is so steep that it hides anything.
+// A plate with a truncated pyramid, a dome, a groove and a roof on it: creases of 35 to 70 degrees, convex and concave,
+// straight and round, between planes and curved faces. Nothing is so steep that it hides anything.
 Surface_point part_at(double x, double y)
 {
   constexpr double degree = pi / 180;
@@ -164,7 +164,8 @@ private:
       for(int j = 0; j < n - 1; ++j)
       {
         const int a = i * n + j, b = a + n, c = b + 1, d = a + 1;
-        const bool is_ac = (measured.points[a] - measured.points[c]).norm() < (measured.points[b] - measured.points[d]).norm();
+        const bool is_ac =
+          (measured.points[a] - measured.points[c]).norm() < (measured.points[b] - measured.points[d]).norm();
         shape.triangles[2 * (i * (n - 1) + j)] = {{a, b, is_ac ? c : d}};
         shape.triangles[2 * (i * (n - 1) + j) + 1] = {{is_ac ? a : b, c, d}};
       }
@@ -243,7 +244,8 @@ Smoothed_part test_scan(const std::string& name, const Scan& scan)
   filter.kind = Kind::EMBEDDING;
   filter.passes = 8;
   const double isotropic = scan.crease_error(smoothed_to(scan, remaining * scan.residual_noise(scan.noisy), filter));
-  std::cout << "isotropic, in eight passes: " << isotropic << " (edge aware is " << isotropic / edge_aware << " times better)" << std::endl;
+  std::cout << "isotropic, in eight passes: " << isotropic << " (edge aware is " << isotropic / edge_aware
+            << " times better)" << std::endl;
   GDP_CHECK(isotropic > 2 * edge_aware);
 
   // what is measured has no error of its own

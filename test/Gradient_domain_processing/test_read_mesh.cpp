@@ -55,7 +55,8 @@ double mean_span(const std::vector<std::array<int, 3> >& triangles)
 
 void holds(const Mesh& mesh, const std::set<Face>& faces, const Elements& elements, const Arrays& arrays)
 {
-  GDP_CHECK(std::set<Face>(elements.faces.begin(), elements.faces.end()) == faces && elements.faces.size() == faces.size());
+  GDP_CHECK(std::set<Face>(elements.faces.begin(), elements.faces.end()) == faces
+            && elements.faces.size() == faces.size());
   GDP_CHECK(std::set<Vertex>(elements.vertices.begin(), elements.vertices.end()).size() == elements.vertices.size());
   GDP_CHECK(arrays.triangles.size() == elements.faces.size() && arrays.points.size() == elements.vertices.size());
   GDP_CHECK(arrays.is_on_border.size() == elements.vertices.size());
@@ -88,7 +89,8 @@ void test_whole(const Shape& shape, bool parallel)
   Arrays arrays;
   internal::Reading reading;
   reading.parallel = parallel;
-  GDP_CHECK(internal::read_surface(mesh, mesh.points(), CGAL::parameters::default_values(), reading, elements, arrays) == GDP::ok);
+  GDP_CHECK(internal::read_surface(mesh, mesh.points(), CGAL::parameters::default_values(), reading, elements, arrays)
+            == GDP::ok);
   holds(mesh, std::set<Face>(mesh.faces().begin(), mesh.faces().end()), elements, arrays);
   GDP_CHECK(elements.vertices.size() == mesh.number_of_vertices());
   GDP_CHECK(mean_span(arrays.triangles) < 8 * std::sqrt(double(arrays.points.size())));
@@ -107,7 +109,9 @@ void test_region(const Shape& shape)
   Arrays arrays;
   std::vector<char> is_fixed;
   internal::Reading reading;
-  GDP_CHECK(internal::read_region(twice, mesh, mesh.points(), CGAL::parameters::default_values(), reading, elements, arrays, is_fixed) == GDP::ok);
+  GDP_CHECK(internal::read_region(twice, mesh, mesh.points(), CGAL::parameters::default_values(), reading, elements,
+                                  arrays, is_fixed)
+            == GDP::ok);
   holds(mesh, faces, elements, arrays);
   std::size_t wrong = 0;
   for(std::size_t v = 0; v < elements.vertices.size(); ++v)

@@ -19,8 +19,8 @@ using namespace gdp_test;
 
 namespace {
 
-// What is measured is near 1e-13. Stitching, with so little alpha that the constants of the patches are all but free, loses some digits
-// more: what is measured is near 1e-11.
+// What is measured is near 1e-13. Stitching, with so little alpha that the constants of the patches are all but free,
+// loses some digits more: what is measured is near 1e-11.
 const double tolerance = 1e-10, tolerance_of_stitching = 1e-9;
 
 void check_gradients(const Case& c, Error_log& log)
@@ -56,10 +56,14 @@ void check_normals(const Case& c, Error_log& log)
   const auto given = as_vectors(read_table(c.mesh + "_vertex_normals"));
   for(Vertex v : vertices(tm))
     normals[v] = given.at(v);
-  const auto np = GDP::parameters::gradient_weight(c.number("beta", 0)).normal_projection_weight(c.number("npweight", 0))
-    .normal_fit_kind(GDP::Normal_fit_kind::EDGES)
-    .area_normalization(c.is_relative()).curvature_metric_kind(c.metric_kind()).curvature_weight(c.number("eps", 0))
-    .presmoothing_weight(c.number("gamma", 0)).curvature_estimator(GDP::Curvature_estimator::NORMALS);
+  const auto np = GDP::parameters::gradient_weight(c.number("beta", 0))
+                    .normal_projection_weight(c.number("npweight", 0))
+                    .normal_fit_kind(GDP::Normal_fit_kind::EDGES)
+                    .area_normalization(c.is_relative())
+                    .curvature_metric_kind(c.metric_kind())
+                    .curvature_weight(c.number("eps", 0))
+                    .presmoothing_weight(c.number("gamma", 0))
+                    .curvature_estimator(GDP::Curvature_estimator::NORMALS);
   const double lambda = c.number("lambda", 1);
   // with lambda = 1 the normals are used as given: that is the default
   GDP_CHECK((lambda == 1 ? GDP::fit_to_normals(tm, normals, np)

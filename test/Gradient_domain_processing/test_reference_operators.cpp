@@ -57,7 +57,8 @@ void check_matrix(const Case& c, Error_log& log)
   Mesh tm = read_mesh(c.mesh);
   std::string name = c.text("operator");
   const std::string suffix = "_user_metric";
-  const bool of_user = name.size() > suffix.size() && name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0;
+  const bool of_user =
+    name.size() > suffix.size() && name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0;
   if(of_user)
     name.resize(name.size() - suffix.size());
   Mesh::Property_map<Face, GDP::Triangle_metric> metrics;
@@ -147,8 +148,10 @@ void check_face_curvatures(const Case& c, Error_log& log)
   GDP_CHECK(seen.size() == solver.elements().faces.size());
   for(std::size_t i = 0; i < seen.size(); ++i)
     curvatures[solver.elements().faces[i]] = seen[i];
-  log.check(c, relative_error(curvatures, read_table(c.name),
-                              [](const std::pair<double, double>& k, int i) { return i == 0 ? k.first : k.second; }), tolerance);
+  log.check(c,
+            relative_error(curvatures, read_table(c.name),
+                           [](const std::pair<double, double>& k, int i) { return i == 0 ? k.first : k.second; }),
+            tolerance);
 }
 
 } // namespace

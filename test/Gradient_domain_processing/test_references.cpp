@@ -20,8 +20,8 @@ using namespace gdp_test;
 
 namespace {
 
-// The answers have 17 digits, the systems are mildly conditioned: what is measured is near 1e-14, so a digit lost to another
-// compiler or another BLAS does no harm, and anything wrong with the mathematics is far above it.
+// The answers have 17 digits, the systems are mildly conditioned: what is measured is near 1e-14, so a digit lost to
+// another compiler or another BLAS does no harm, and anything wrong with the mathematics is far above it.
 const double tolerance = 1e-10;
 
 template <class Region, class NamedParameters>
@@ -79,8 +79,10 @@ void check_case(const Case& c, Error_log& log)
 
   if(c.metric_kind() != GDP::Curvature_metric_kind::EMBEDDING)
   {
-    const auto curved = scalars.curvature_metric_kind(c.metric_kind()).curvature_weight(c.number("eps", 0))
-                               .curvature_estimator(GDP::Curvature_estimator::NORMALS).presmoothing_weight(c.number("gamma", 0));
+    const auto curved = scalars.curvature_metric_kind(c.metric_kind())
+                          .curvature_weight(c.number("eps", 0))
+                          .curvature_estimator(GDP::Curvature_estimator::NORMALS)
+                          .presmoothing_weight(c.number("gamma", 0));
     log.check(c, error_of_signal(c, tm, on_all, curved), tolerance);
     if(is_position)
     {
@@ -113,9 +115,15 @@ void check_case(const Case& c, Error_log& log)
       if(c.has("face_lambda"))
         lambdas[f] = int(f) % int(fl[0]) == 0 ? fl[1] : fl[2];
     }
-    log.check(c, error_of_signal(c, tm, on_all,
-      GDP::parameters::vertex_value_weight_map(alphas).face_gradient_weight_map(betas).face_gradient_scale_map(lambdas)
-        .vertex_is_constrained_map(constrained).face_metric_map(metrics).area_normalization(c.is_relative())), tolerance);
+    log.check(c,
+              error_of_signal(c, tm, on_all,
+                              GDP::parameters::vertex_value_weight_map(alphas)
+                                .face_gradient_weight_map(betas)
+                                .face_gradient_scale_map(lambdas)
+                                .vertex_is_constrained_map(constrained)
+                                .face_metric_map(metrics)
+                                .area_normalization(c.is_relative())),
+              tolerance);
   }
 
   // as numbers, where they are

@@ -4,7 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Regions: what is outside or on the border of a face range does not move, to the bit; the rest solves the Dirichlet problem.
+// Regions: what is outside or on the border of a face range does not move, to the bit; the rest solves the Dirichlet
+// problem.
 
 #include "test_energy.h"
 #include "test_utils.h"
@@ -95,7 +96,8 @@ std::vector<Region> test_regions(const Mesh& mesh)
   std::vector<Region> regions = {
     Region(), Region(1, one),
     faces_where(mesh, [](const Vec& p) { return p.z() > 0.3; }),
-    faces_where(mesh, [](const Vec& p) { return std::abs(p.z()) > 0.6 || (p.x() > 3 && p.y() < 0.5); }), // three islands, one open
+    // three islands, one open
+    faces_where(mesh, [](const Vec& p) { return std::abs(p.z()) > 0.6 || (p.x() > 3 && p.y() < 0.5); }),
     faces_where(mesh, [](const Vec& p) { return p.x() < 2; }), // one component
     Region(mesh.faces().begin(), mesh.faces().end()) };
   Region star; // of one vertex

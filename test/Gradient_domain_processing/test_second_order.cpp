@@ -62,7 +62,11 @@ void test_equation()
   for(const GDP::Hessian_kind kind : {GDP::Hessian_kind::SQUARED_HESSIAN, GDP::Hessian_kind::CURVED_HESSIAN,
                                       GDP::Hessian_kind::TRACE_FREE_HESSIAN, GDP::Hessian_kind::BILAPLACIAN})
   {
-    const auto np = gradient_weight(beta).value_weight(alpha).gradient_scale(lambda).hessian_weight(gamma).hessian_kind(kind)
+    const auto np = gradient_weight(beta)
+                      .value_weight(alpha)
+                      .gradient_scale(lambda)
+                      .hessian_weight(gamma)
+                      .hessian_kind(kind)
                       .area_normalization(false);
     GDP_CHECK(GDP::process_signal(mesh, in, out, np) == GDP::ok);
     Eigen::SparseMatrix<double> m, s, q;
@@ -75,7 +79,8 @@ void test_equation()
   }
 }
 
-// What is linear costs nothing, whatever the border, where first derivatives bend it; in a region and beside constraints, too.
+// What is linear costs nothing, whatever the border, where first derivatives bend it; in a region and beside
+// constraints, too.
 void test_linear()
 {
   Mesh mesh = square(12);
@@ -90,21 +95,27 @@ void test_linear()
 
   // three constrained corners decide, and nothing else: the plane through them
   const auto is_corner = mesh.add_property_map<Vertex, bool>("v:corner", false).first;
-  const Signal_map corners = signal_of(mesh, "v:corners", [&](const Point& p) { return std::sin(9 * p.x()) + std::cos(7 * p.y()); });
+  const Signal_map corners =
+    signal_of(mesh, "v:corners", [&](const Point& p) { return std::sin(9 * p.x()) + std::cos(7 * p.y()); });
   int count = 0;
   for(Vertex v : mesh.vertices())
-    if(mesh.point(v).x() + mesh.point(v).y() < 0.01 || mesh.point(v).x() - mesh.point(v).y() > 0.99 || mesh.point(v).y() - mesh.point(v).x() > 0.99)
+    if(mesh.point(v).x() + mesh.point(v).y() < 0.01 || mesh.point(v).x() - mesh.point(v).y() > 0.99
+       || mesh.point(v).y() - mesh.point(v).x() > 0.99)
     {
       is_corner[v] = true;
       corners[v] = linear[v];
       ++count;
     }
   GDP_CHECK(count == 3);
-  GDP_CHECK(GDP::process_signal(mesh, corners, out, gradient_weight(0).value_weight(0).hessian_weight(1).vertex_is_constrained_map(is_corner)) == GDP::ok);
+  GDP_CHECK(
+    GDP::process_signal(mesh, corners, out,
+                        gradient_weight(0).value_weight(0).hessian_weight(1).vertex_is_constrained_map(is_corner))
+    == GDP::ok);
   GDP_CHECK_NEAR(distance(), 0, 1e-8);
 }
 
-// The weight is a length to the fourth: with the mesh scaled, in its own unit or that of its area, the result is the same.
+// The weight is a length to the fourth: with the mesh scaled, in its own unit or that of its area, the result is the
+// same.
 void test_units()
 {
   Mesh mesh = mesh_of(sphere(6)), large = mesh_of(sphere(6).scaled(8));
@@ -175,7 +186,9 @@ void test_switching()
     c[10] = c[24] = 1;
     return c;
   }();
-  GDP_CHECK(of_quads.set_constraints_from_parameters(GDP::parameters::vertex_is_constrained_map(CGAL::make_property_map(is_constrained))) == GDP::ok);
+  GDP_CHECK(of_quads.set_constraints_from_parameters(
+              GDP::parameters::vertex_is_constrained_map(CGAL::make_property_map(is_constrained)))
+            == GDP::ok);
   GDP_CHECK(of_quads.filter(map, CGAL::make_property_map(again)) == GDP::ok);
   GDP_CHECK(again[10] == values[10] && again[24] == values[24] && again != result);
   GDP_CHECK(of_quads.set_constraints_from_parameters() == GDP::ok);

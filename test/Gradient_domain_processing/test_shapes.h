@@ -187,7 +187,8 @@ inline Shape disk(int n, int rings)
   return shape;
 }
 
-// The surface of a set of unit cubes, every square divided n by n: a part with known creases. Cubes may meet in faces only.
+// The surface of a set of unit cubes, every square divided n by n: a part with known creases. Cubes may meet in faces
+// only.
 inline Shape cubes(const std::set<std::array<int, 3> >& cells, int n)
 {
   Shape shape;

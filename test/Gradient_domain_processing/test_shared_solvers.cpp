@@ -4,7 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What several have in common who solve: a solver that copies of its traits share, and the threads of the libraries beneath it.
+// What several have in common who solve: a solver that copies of its traits share, and the threads of the libraries
+// beneath it.
 
 #include "minimal_solver.h"
 #include "test_utils.h"
@@ -75,7 +76,8 @@ void check_sharing(const Traits& traits, bool is_llt = false)
 {
   typedef internal::Linear_solver<Traits> Solver;
   static_assert(!std::is_copy_constructible<Solver>::value && std::is_move_constructible<Solver>::value, "");
-  const Sparse mine = matrix(60, 1, 3), same_pattern = matrix(60, 1, 4), other_pattern = matrix(60, 7, 3), larger = matrix(90, 2, 3);
+  const Sparse mine = matrix(60, 1, 3), same_pattern = matrix(60, 1, 4), other_pattern = matrix(60, 7, 3),
+               larger = matrix(90, 2, 3);
 
   Solver a(traits);
   GDP_CHECK(!a.has_factor());
@@ -202,8 +204,8 @@ public:
   }
 };
 
-// All orders in which three threads come, one of them twice, and go: while one is in, it has the number it wants, and in the end all
-// is as it was.
+// All orders in which three threads come, one of them twice, and go: while one is in, it has the number it wants, and
+// in the end all is as it was.
 void check_borrowing(int (*get)(), void (*set)(int))
 {
   const int failures = number_of_failures();
@@ -254,7 +256,8 @@ int ask(const char* name)
 
 struct Thread_numbers
 {
-  int openblas = ask("openblas_get_num_threads"), openmp = ask("omp_get_max_threads"), levels = ask("omp_get_max_active_levels");
+  int openblas = ask("openblas_get_num_threads"), openmp = ask("omp_get_max_threads"),
+      levels = ask("omp_get_max_active_levels");
   bool is_sequential() const { return (openblas < 0 || openblas == 1) && (openmp < 0 || openmp == 1) && levels <= 0; }
   bool operator==(const Thread_numbers& other) const
   {
@@ -271,7 +274,8 @@ void check_libraries()
     set(2);
 #endif
   const Thread_numbers before;
-  std::cout << "threads of OpenBLAS " << before.openblas << ", of OpenMP " << before.openmp << ", its levels " << before.levels << std::endl;
+  std::cout << "threads of OpenBLAS " << before.openblas << ", of OpenMP " << before.openmp << ", its levels "
+            << before.levels << std::endl;
   Told_thread first, second;
   std::unique_ptr<internal::Sequential_blas_scope> of_first, of_second;
   first([&] { of_first = std::make_unique<internal::Sequential_blas_scope>(); });
@@ -328,8 +332,9 @@ void check_cholmod_is_sequential()
 
 bool same_settings(const cholmod_common& a, const cholmod_common& b)
 {
-  return a.print == b.print && a.nmethods == b.nmethods && a.method[0].ordering == b.method[0].ordering && a.postorder == b.postorder
-      && a.nrelax[0] == b.nrelax[0] && a.nrelax[1] == b.nrelax[1] && a.nrelax[2] == b.nrelax[2];
+  return a.print == b.print && a.nmethods == b.nmethods && a.method[0].ordering == b.method[0].ordering
+         && a.postorder == b.postorder && a.nrelax[0] == b.nrelax[0] && a.nrelax[1] == b.nrelax[1]
+         && a.nrelax[2] == b.nrelax[2];
 }
 
 // Settings are afterwards what they were. What the caller has set holds; what not, suits the graphs at hand.

@@ -115,7 +115,8 @@ void check_integers(Solver& solver, std::size_t n)
   std::vector<std::array<unsigned char, 2> > bytes;
   for(std::size_t v = 0; v < n; ++v)
   {
-    colors.emplace_back((unsigned char)number(v, 0), (unsigned char)number(v, 1), (unsigned char)number(v, 2), (unsigned char)number(v, 3));
+    colors.emplace_back((unsigned char)number(v, 0), (unsigned char)number(v, 1), (unsigned char)number(v, 2),
+                        (unsigned char)number(v, 3));
     integers.push_back(int(number(v, 0)) - 128);
     bytes.push_back({{(unsigned char)number(v, 0), (unsigned char)number(v, 1)}});
   }
@@ -225,7 +226,8 @@ void check_errors(Solver& solver, std::size_t n)
   for(std::size_t v = 0; v < n; ++v)
     in[v] = 1e38 * number(v, 0);
   GDP_CHECK(solver.filter(CGAL::make_property_map(in), CGAL::make_property_map(out)) == GDP::ERROR_RESULT_OUT_OF_RANGE);
-  GDP_CHECK(solver.filter(CGAL::make_property_map(in), CGAL::make_property_map(out), -1) == GDP::ERROR_INVALID_PARAMETER);
+  GDP_CHECK(solver.filter(CGAL::make_property_map(in), CGAL::make_property_map(out), -1)
+            == GDP::ERROR_INVALID_PARAMETER);
   for(double bad : {double(NAN), HUGE_VAL, -HUGE_VAL})
   {
     std::fill(in.begin(), in.end(), 0.);
@@ -246,22 +248,27 @@ int main()
   const double exact = 1e-12, single = 1e-4;
 
   check_type<double>(solver, n, 1, exact, [](const Four& c) { return c[0]; }, [](double x, int) { return x; });
-  check_type<float>(solver, n, 1, single, [](const Four& c) { return float(c[0]); }, [](float x, int) { return double(x); });
+  check_type<float>(
+    solver, n, 1, single, [](const Four& c) { return float(c[0]); }, [](float x, int) { return double(x); });
   check_type<K::Point_3>(solver, n, 3, exact, [](const Four& c) { return K::Point_3(c[0], c[1], c[2]); },
                          [](const K::Point_3& p, int i) { return p[i]; });
   check_type<K::Vector_3>(solver, n, 3, exact, [](const Four& c) { return K::Vector_3(c[0], c[1], c[2]); },
                           [](const K::Vector_3& p, int i) { return p[i]; });
   check_type<K::Vector_2>(solver, n, 2, exact, [](const Four& c) { return K::Vector_2(c[0], c[1]); },
                           [](const K::Vector_2& p, int i) { return p[i]; });
-  check_type<std::array<double, 4> >(solver, n, 4, exact, [](const Four& c) { return c; }, [](const Four& p, int i) { return p[i]; });
+  check_type<std::array<double, 4> >(
+    solver, n, 4, exact, [](const Four& c) { return c; }, [](const Four& p, int i) { return p[i]; });
   check_type<std::array<std::array<float, 2>, 2> >(
     solver, n, 4, single,
-    [](const Four& c) { return std::array<std::array<float, 2>, 2>{{{{float(c[0]), float(c[1])}}, {{float(c[2]), float(c[3])}}}}; },
+    [](const Four& c) {
+      return std::array<std::array<float, 2>, 2>{{{{float(c[0]), float(c[1])}}, {{float(c[2]), float(c[3])}}}};
+    },
     [](const std::array<std::array<float, 2>, 2>& p, int i) { return double(p[i / 2][i % 2]); });
   check_type<Eigen::Vector3d>(solver, n, 3, exact, [](const Four& c) { return Eigen::Vector3d(c[0], c[1], c[2]); },
                               [](const Eigen::Vector3d& p, int i) { return p[i]; });
-  check_type<Eigen::Matrix<float, 1, 2> >(solver, n, 2, single, [](const Four& c) { return Eigen::Matrix<float, 1, 2>(float(c[0]), float(c[1])); },
-                                          [](const Eigen::Matrix<float, 1, 2>& p, int i) { return double(p[i]); });
+  check_type<Eigen::Matrix<float, 1, 2> >(
+    solver, n, 2, single, [](const Four& c) { return Eigen::Matrix<float, 1, 2>(float(c[0]), float(c[1])); },
+    [](const Eigen::Matrix<float, 1, 2>& p, int i) { return double(p[i]); });
   check_type<Sample>(solver, n, 2, exact, [](const Four& c) { Sample s; s.height = c[0]; s.width = c[1]; return s; },
                      [](const Sample& s, int i) { return i == 0 ? s.height : s.width; });
   check_integers(solver, n);

@@ -4,7 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Gradient_domain_solver computes once what can be kept: the analysis for a mesh, the factorization for a metric and weights.
+// Gradient_domain_solver computes once what can be kept: the analysis for a mesh, the factorization for a metric and
+// weights.
 
 #include "test_meshes.h"
 #include "test_utils.h"
@@ -31,7 +32,8 @@ typedef Eigen::SparseMatrix<double> Sparse;
 
 namespace {
 
-// A solver in the manner of Eigen's that counts what it is asked to do, and reads the matrix again as it solves, as UMFPACK does.
+// A solver in the manner of Eigen's that counts what it is asked to do, and reads the matrix again as it solves, as
+// UMFPACK does.
 class Counting_solver
 {
   Eigen::SimplicialLLT<Sparse> m_solver;
@@ -104,10 +106,11 @@ void check_reuse()
   Fixture x;
   Counting_traits traits;
   const Counting_solver& counts = traits.solver();
-  auto solver = GDP::make_gradient_domain_solver(x.tm, GDP::parameters::sparse_linear_solver(traits).gradient_weight(1e-3));
+  auto solver =
+    GDP::make_gradient_domain_solver(x.tm, GDP::parameters::sparse_linear_solver(traits).gradient_weight(1e-3));
   const auto are = [&](int analyses, int factorizations, int solutions, int right_hand_sides) {
-    const bool hold = counts.analyses == analyses && counts.factorizations == factorizations && counts.solutions == solutions
-                   && counts.right_hand_sides == right_hand_sides;
+    const bool hold = counts.analyses == analyses && counts.factorizations == factorizations
+                      && counts.solutions == solutions && counts.right_hand_sides == right_hand_sides;
     if(!hold)
       std::cerr << "  counted: " << counts.analyses << " " << counts.factorizations << " " << counts.solutions << " "
                 << counts.right_hand_sides << std::endl;
@@ -159,7 +162,8 @@ void check_reuse()
   GDP_CHECK(solver.filter(x.numbers, x.out_numbers) == GDP::OK);
   GDP_CHECK(are(1, 3, 9, 13));
   fresh(GDP::parameters::gradient_weight(1e-2).gradient_scale(2.).value_weight(5.));
-  auto metrics = x.tm.add_property_map<Face, GDP::Triangle_metric>("f:metric", GDP::Triangle_metric::equilateral(0.2)).first;
+  auto metrics =
+    x.tm.add_property_map<Face, GDP::Triangle_metric>("f:metric", GDP::Triangle_metric::equilateral(0.2)).first;
   GDP_CHECK(solver.set_metric(metrics) == GDP::OK);
   GDP_CHECK(solver.filter(x.numbers, x.out_numbers) == GDP::OK);
   GDP_CHECK(are(1, 4, 10, 14));

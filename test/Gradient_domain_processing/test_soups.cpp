@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Soups of points and polygons: the result is that of the mesh they make, in any order, with any number of polygons at an edge, and with
-// the seams welded where that is asked for.
+// Soups of points and polygons: the result is that of the mesh they make, in any order, with any number of polygons at
+// an edge, and with the seams welded where that is asked for.
 
 #include "test_shapes.h"
 #include "test_utils.h"
@@ -57,7 +57,9 @@ Points points_of(const Mesh& mesh)
 
 Shape wavy_patch()
 {
-  return jittered_square(14).mapped([](const Vec& p) { return Vec(p.x(), p.y(), 0.1 * std::sin(7 * p.x()) * p.y()); }).noisy(0.004);
+  return jittered_square(14)
+    .mapped([](const Vec& p) { return Vec(p.x(), p.y(), 0.1 * std::sin(7 * p.x()) * p.y()); })
+    .noisy(0.004);
 }
 
 // Every verb, by number, on whatever it is given: a mesh or a soup, with a region before it or not.
@@ -89,7 +91,8 @@ void test_soup_is_mesh()
       GDP_CHECK(distance(points, points_of(shape)) > 1e-4);
 
       Mesh in_region = mesh_of(shape);
-      std::vector<Face> region(in_region.faces().begin(), std::next(in_region.faces().begin(), in_region.number_of_faces() / 3));
+      std::vector<Face> region(in_region.faces().begin(),
+                               std::next(in_region.faces().begin(), in_region.number_of_faces() / 3));
       std::vector<std::size_t> indices(region.size());
       std::iota(indices.begin(), indices.end(), std::size_t(0));
       Points of_region = points_of(shape);
@@ -98,7 +101,8 @@ void test_soup_is_mesh()
     }
 }
 
-// Triangles that have lost their neighbors are a mesh again once they are welded, and near enough ones with a tolerance.
+// Triangles that have lost their neighbors are a mesh again once they are welded, and near enough ones with a
+// tolerance.
 void test_welding()
 {
   for(const Shape& shape : {sphere(7).noisy(0.02), wavy_patch()})
@@ -133,7 +137,8 @@ void test_welding()
         most_loose = (std::max)(most_loose, (vec(loose[triangles[f][i]]) - expected).norm());
         // every copy gets the same change, so near ones stay as near as they were
         const std::size_t first = std::size_t(triangles[f][i]);
-        GDP_CHECK((vec(welded_near[first]) - vec(near[first]) - (expected - shape.points[shape.triangles[f][i]])).norm() < 1e-5);
+        GDP_CHECK((vec(welded_near[first]) - vec(near[first]) - (expected - shape.points[shape.triangles[f][i]])).norm()
+                  < 1e-5);
       }
     GDP_CHECK(most < 1e-12);
     GDP_CHECK(most_near < 1e-5);
@@ -157,8 +162,9 @@ void test_signal_at_seam()
     in_whole.push_back(f(p));
   std::vector<double> out(in.size()), out_whole(in_whole.size());
   const auto np = GDP::parameters::gradient_weight(3e-3);
-  GDP_CHECK(GDP::process_signal(points_of(both), both.triangles, CGAL::make_property_map(in), CGAL::make_property_map(out),
-                                np.weld_tolerance(0.)) == GDP::ok);
+  GDP_CHECK(GDP::process_signal(points_of(both), both.triangles, CGAL::make_property_map(in),
+                                CGAL::make_property_map(out), np.weld_tolerance(0.))
+            == GDP::ok);
   GDP_CHECK(GDP::process_signal(points_of(whole), whole.triangles, CGAL::make_property_map(in_whole),
                                 CGAL::make_property_map(out_whole), np) == GDP::ok);
   double most = 0, moved = 0;
@@ -207,7 +213,9 @@ void test_non_manifold()
   }
   // the edge is no border: a fixed border does not hold its inner vertices
   Points points = points_of(noisy);
-  GDP_CHECK(GDP::smooth(points, noisy.triangles, GDP::parameters::gradient_weight(1e-2).border_condition(GDP::Border_condition::FIXED)) == GDP::ok);
+  GDP_CHECK(GDP::smooth(points, noisy.triangles,
+                        GDP::parameters::gradient_weight(1e-2).border_condition(GDP::Border_condition::FIXED))
+            == GDP::ok);
   for(std::size_t v = 0; v < points.size(); ++v)
   {
     const Vec& p = joined.points[v];
@@ -225,7 +233,8 @@ void test_non_manifold()
   GDP_CHECK(GDP::smooth(at_bow, bow.triangles) == GDP::ok);
 }
 
-// A linear signal on polygons of any kind is as it was under any weight where its border is held; quads are squares of their diagonals.
+// A linear signal on polygons of any kind is as it was under any weight where its border is held; quads are squares of
+// their diagonals.
 void test_polygons()
 {
   Random random(11);
@@ -258,8 +267,11 @@ void test_polygons()
     in.push_back(3 * p.x() - 2 * p.y() + 1);
   for(double alpha : {0., 1.})
   {
-    GDP_CHECK(GDP::process_signal(points, polygons, CGAL::make_property_map(in), CGAL::make_property_map(out),
-      GDP::parameters::gradient_weight(1.).value_weight(alpha).gradient_scale(alpha).border_condition(GDP::Border_condition::FIXED)) == GDP::ok);
+    GDP_CHECK(GDP::process_signal(
+                points, polygons, CGAL::make_property_map(in), CGAL::make_property_map(out),
+                GDP::parameters::gradient_weight(1.).value_weight(alpha).gradient_scale(alpha).border_condition(
+                  GDP::Border_condition::FIXED))
+              == GDP::ok);
     for(std::size_t v = 0; v < in.size(); ++v)
       GDP_CHECK_NEAR(out[v], in[v], 1e-11);
   }

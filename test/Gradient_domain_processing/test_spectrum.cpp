@@ -49,7 +49,8 @@ void check_pairs(const Sparse& a, const Sparse& b, const Eigenpairs& pairs, doub
   const Eigen::MatrixXd residual = a * pairs.vectors - b * pairs.vectors * pairs.values.asDiagonal();
   GDP_CHECK_NEAR(residual.cwiseAbs().maxCoeff(), 0, tolerance);
   const Eigen::MatrixXd products = pairs.vectors.transpose() * (b * pairs.vectors);
-  GDP_CHECK_NEAR((products - Eigen::MatrixXd::Identity(products.rows(), products.cols())).cwiseAbs().maxCoeff(), 0, 1e-11);
+  GDP_CHECK_NEAR((products - Eigen::MatrixXd::Identity(products.rows(), products.cols())).cwiseAbs().maxCoeff(), 0,
+                 1e-11);
 }
 
 // l (l + 1) as often as 2 l + 1, of second order.
@@ -81,14 +82,16 @@ void test_bands()
   Metrics flat;
   flat.given.assign(torus.triangles.size(), GDP::Triangle_metric());
   const std::vector<Vec3> up(torus.points.size(), Vec3(0, 0, 1));
-  const Sparse matrices[4] = {stiffness_matrix(patch), hessian_energy(patch, Metrics(), GDP::Hessian_kind::SQUARED_HESSIAN, true),
+  const Sparse matrices[4] = {stiffness_matrix(patch),
+                              hessian_energy(patch, Metrics(), GDP::Hessian_kind::SQUARED_HESSIAN, true),
                               hessian_energy(patch, Metrics(), GDP::Hessian_kind::CURVED_HESSIAN, true),
                               modified_dirichlet(torus, flat, up, true)};
   for(int i = 0; i < 4; ++i)
   {
     const Sparse mass = diagonal(i < 3 ? masses_of(patch) : Eigen::VectorXd(Eigen::VectorXd::Ones(256)));
     const Eigen::VectorXd expected =
-      Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(matrices[i]), Eigen::MatrixXd(mass)).eigenvalues();
+      Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(matrices[i]), Eigen::MatrixXd(mass))
+        .eigenvalues();
     for(int count : {1, 150})
     {
       Eigenpairs pairs;
@@ -106,7 +109,8 @@ GDP::Error_code apply(const Rational_filter& filter, const Arrays& arrays, Eigen
 {
   Progress progress;
   Spectral_system system(any_linear_solver(GDP::Default_sparse_linear_solver()), true);
-  if(const GDP::Error_code code = system.assemble_matrices(arrays, Metrics(), std::vector<char>(arrays.points.size(), 0), progress))
+  if(const GDP::Error_code code =
+       system.assemble_matrices(arrays, Metrics(), std::vector<char>(arrays.points.size(), 0), progress))
     return code;
   const std::vector<int>& vertex = system.degrees_of_freedom().vertex;
   Eigen::MatrixXd values(columns.rows(), columns.cols());
@@ -119,7 +123,8 @@ GDP::Error_code apply(const Rational_filter& filter, const Arrays& arrays, Eigen
   return GDP::ok;
 }
 
-// The transfer function measured on harmonics is the one that is stated, which is a half at the cut-offs and keeps the mean.
+// The transfer function measured on harmonics is the one that is stated, which is a half at the cut-offs and keeps the
+// mean.
 void test_rational_filters()
 {
   const Arrays sphere = arrays_of(icosphere(3));
@@ -132,7 +137,8 @@ void test_rational_filters()
   {
     const auto low = [order](double mu, double cut_off) { return 1 / (1 + std::pow(mu / cut_off, order)); };
     const Rational_filter filters[4] = {Rational_filter::low_pass(12, order), Rational_filter::high_pass(12, order),
-                                        Rational_filter::band_pass(5, 20, order), Rational_filter::band_stop(5, 20, order)};
+                                        Rational_filter::band_pass(5, 20, order),
+                                        Rational_filter::band_stop(5, 20, order)};
     for(int i = 0; i < 4; ++i)
     {
       Eigen::MatrixXd filtered = pairs.vectors;
@@ -154,7 +160,8 @@ void test_rational_filters()
 
   // the same by harmonics, for a signal of which they make up a part, and the rest is kept
   const Rational_filter filter = Rational_filter::low_pass(12, 4);
-  const Eigen::MatrixXd signal = sampled(sphere, [](const Vec& p) { return std::exp(2 * p.x()) + std::sin(9 * p.y()); });
+  const Eigen::MatrixXd signal =
+    sampled(sphere, [](const Vec& p) { return std::exp(2 * p.x()) + std::sin(9 * p.y()); });
   Eigen::MatrixXd solved = signal;
   GDP_CHECK(apply(filter, sphere, solved) == GDP::ok);
   GDP_CHECK_NEAR(masses.dot(solved.col(0) - signal.col(0)), 0, 1e-10);
@@ -162,7 +169,8 @@ void test_rational_filters()
   const Eigen::MatrixXd parts = pairs.vectors.transpose() * (mass * (by_harmonics - solved));
   GDP_CHECK_NEAR(parts.cwiseAbs().maxCoeff(), 0, 1e-7);
   const Eigen::MatrixXd rest = signal - pairs.vectors * (pairs.vectors.transpose() * (mass * signal));
-  const Eigen::MatrixXd rest_filtered = by_harmonics - pairs.vectors * (pairs.vectors.transpose() * (mass * by_harmonics));
+  const Eigen::MatrixXd rest_filtered =
+    by_harmonics - pairs.vectors * (pairs.vectors.transpose() * (mass * by_harmonics));
   GDP_CHECK_NEAR((rest_filtered - 0.25 * rest).cwiseAbs().maxCoeff(), 0, 1e-10);
 }
 

@@ -70,13 +70,15 @@ void test_bands()
       // a functor, by harmonics: the rest of this signal is small
       const auto function = [&](double mu) { return filter(mu); };
       const Signal_map by_harmonics = signal_of(mesh, "v:harmonics", [](const Point&) { return 0; });
-      GDP_CHECK(GDP::filter_spectrum(mesh, sum, by_harmonics, function, GDP::parameters::number_of_harmonics(25)) == GDP::ok);
+      GDP_CHECK(GDP::filter_spectrum(mesh, sum, by_harmonics, function, GDP::parameters::number_of_harmonics(25))
+                == GDP::ok);
       GDP_CHECK(GDP::filter_spectrum(mesh, sum, out, filter) == GDP::ok);
       GDP_CHECK_NEAR(distance(mesh, out, [&](Vertex v) { return by_harmonics[v]; }), 0, 0.01);
     }
 }
 
-// Constrained vertices and what is outside of a region keep their values; a function that is harmonic between them is kept as it is.
+// Constrained vertices and what is outside of a region keep their values; a function that is harmonic between them is
+// kept as it is.
 void test_constrained_bands()
 {
   Mesh mesh = mesh_of(grid(16, 16, [](double u, double v) { return Vec(u, v, 0); }));
@@ -113,7 +115,8 @@ void test_constrained_bands()
 void test_equivariance()
 {
   Mesh mesh = mesh_of(grid(14, 14, [](double u, double v) { return Vec(u, 1.2 * v, 0.2 * u * v); }));
-  const Signal_map in = signal_of(mesh, "v:in", [](const Point& p) { return std::sin(9 * p.x()) + std::cos(11 * p.y() * p.x()); });
+  const Signal_map in =
+    signal_of(mesh, "v:in", [](const Point& p) { return std::sin(9 * p.x()) + std::cos(11 * p.y() * p.x()); });
   const Signal_map out = signal_of(mesh, "v:out", [](const Point&) { return 0; });
   const double wavelength = 0.4;
   GDP_CHECK(GDP::filter_spectrum(mesh, in, out, Filter::low_pass(wavelength)) == GDP::ok);
@@ -156,7 +159,9 @@ void test_equivariance()
     }
   }
   const auto corners = CGAL::make_property_map(of_corners);
-  GDP_CHECK(GDP::filter_spectrum(apart, loose, corners, corners, Filter::low_pass(wavelength), GDP::parameters::weld_tolerance(0.)) == GDP::ok);
+  GDP_CHECK(GDP::filter_spectrum(apart, loose, corners, corners, Filter::low_pass(wavelength),
+                                 GDP::parameters::weld_tolerance(0.))
+            == GDP::ok);
   std::size_t corner = 0;
   double most = 0;
   for(Face f : mesh.faces())
@@ -193,13 +198,14 @@ void test_refusals()
   Mesh mesh = mesh_of(grid(4, 4, [](double u, double v) { return Vec(u, v, 0); }));
   const Signal_map out = signal_of(mesh, "v:out", [](const Point& p) { return p.x(); });
   const double infinity = HUGE_VAL, nan = std::nan("");
-  for(const Filter& filter : {Filter::low_pass(0), Filter::low_pass(-1), Filter::high_pass(nan), Filter::band_pass(1, infinity),
-                              Filter::band_stop(1, 0), Filter::low_pass(1, 0)})
+  for(const Filter& filter : {Filter::low_pass(0), Filter::low_pass(-1), Filter::high_pass(nan),
+                              Filter::band_pass(1, infinity), Filter::band_stop(1, 0), Filter::low_pass(1, 0)})
     GDP_CHECK(GDP::filter_spectrum(mesh, out, out, filter) == GDP::error_invalid_parameter);
   const auto not_finite = [&](double) { return nan; };
   GDP_CHECK(GDP::filter_spectrum(mesh, out, out, not_finite) == GDP::error_invalid_parameter);
   const auto identity = [](double) { return 1.; };
-  GDP_CHECK(GDP::filter_spectrum(mesh, out, out, identity, GDP::parameters::number_of_harmonics(-1)) == GDP::error_invalid_parameter);
+  GDP_CHECK(GDP::filter_spectrum(mesh, out, out, identity, GDP::parameters::number_of_harmonics(-1))
+            == GDP::error_invalid_parameter);
   GDP_CHECK_NEAR(distance(mesh, out, [&](Vertex v) { return mesh.point(v).x(); }), 0, 0);
 }
 
@@ -221,7 +227,8 @@ int main()
   // a constrained vertex takes the constant's place
   auto is_constrained = mesh.add_property_map<Vertex, bool>("v:constrained", false).first;
   is_constrained[Vertex(5)] = true;
-  GDP_CHECK(GDP::spectrum(mesh, 3, values, harmonics, GDP::parameters::vertex_is_constrained_map(is_constrained)) == GDP::ok);
+  GDP_CHECK(GDP::spectrum(mesh, 3, values, harmonics, GDP::parameters::vertex_is_constrained_map(is_constrained))
+            == GDP::ok);
   GDP_CHECK(values[0] > 1e-4 && harmonics.row(5).isZero(0));
 
   const Eigen::VectorXd before = values;

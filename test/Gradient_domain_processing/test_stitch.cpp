@@ -46,7 +46,8 @@ struct Patches
     {
       const Vertex v = mesh.vertex(e, 0), w = mesh.vertex(e, 1);
       if(patch[v] != patch[w])
-        largest = (std::max)(largest, std::abs((g[v] - smooth(vec(mesh.point(v)))) - (g[w] - smooth(vec(mesh.point(w))))));
+        largest =
+          (std::max)(largest, std::abs((g[v] - smooth(vec(mesh.point(v)))) - (g[w] - smooth(vec(mesh.point(w))))));
     }
     return largest;
   }
@@ -61,7 +62,8 @@ struct Patches
     return rows.inverse() * Vec(g[c[1]] - g[c[0]], g[c[2]] - g[c[0]], 0);
   }
 
-  // the change of the gradients relative to the gradients, in the mean of squares, three rings of faces from the seam on
+  // the change of the gradients relative to the gradients, in the mean of squares, three rings of faces from the seam
+  // on
   double gradient_change(const Mesh::Property_map<Vertex, double>& f, const Mesh::Property_map<Vertex, double>& g) const
   {
     std::vector<int> ring(mesh.number_of_vertices(), 1000);
@@ -99,14 +101,16 @@ void check_offset(const char* name, const Shape& shape, const Patch_of& patch_of
     f[v] = smooth(vec(patches.mesh.point(v))) + offset * patches.patch[v];
   GDP_CHECK(GDP::stitch(patches.mesh, patches.patch, f, g) == GDP::OK);
   const double jump = patches.jump(g, smooth) / std::abs(offset), change = patches.gradient_change(f, g);
-  std::cout << name << ": jump " << jump << " of the offset (was " << patches.jump(f, smooth) / std::abs(offset) << "), gradients changed by "
-            << change << std::endl;
+  std::cout << name << ": jump " << jump << " of the offset (was " << patches.jump(f, smooth) / std::abs(offset)
+            << "), gradients changed by " << change << std::endl;
   GDP_CHECK(patches.jump(f, smooth) > 0.99 * std::abs(offset));
   GDP_CHECK(jump < 0.01);
   GDP_CHECK(change < 0.01);
 }
 
-const auto wave = [](const Vec& p) { return std::sin(3 * p.x() + 0.3) + 0.5 * std::cos(4 * p.y() - p.x()) + 0.3 * p.z(); };
+const auto wave = [](const Vec& p) {
+  return std::sin(3 * p.x() + 0.3) + 0.5 * std::cos(4 * p.y() - p.x()) + 0.3 * p.z();
+};
 
 void test_offsets()
 {
@@ -116,9 +120,14 @@ void test_offsets()
   const auto hemispheres = [](const Vec& p) { return int(p.z() > 0.1); };
   for(double offset : {1.5, -5., 100.})
   {
-    check_offset("square, two patches", flat, halves, [](const Vec& p) { return std::cos(p.y()) + 0.5 * std::sin(2 * p.x()); }, offset);
-    check_offset("square, three patches", flat, thirds, [](const Vec& p) { return 0.3 * std::cos(p.y()) + p.x(); }, offset);
-    check_offset("sphere, two patches", ball, hemispheres, [](const Vec& p) { return 0.3 * p.z() + 0.05 * p.x() * p.x(); }, offset);
+    check_offset(
+      "square, two patches", flat, halves, [](const Vec& p) { return std::cos(p.y()) + 0.5 * std::sin(2 * p.x()); },
+      offset);
+    check_offset(
+      "square, three patches", flat, thirds, [](const Vec& p) { return 0.3 * std::cos(p.y()) + p.x(); }, offset);
+    check_offset(
+      "sphere, two patches", ball, hemispheres, [](const Vec& p) { return 0.3 * p.z() + 0.05 * p.x() * p.x(); },
+      offset);
   }
 }
 
@@ -279,7 +288,8 @@ void test_region()
       (is_inside ? has_face_inside : has_face_outside)[v] = 1;
   }
   auto g = mesh.add_property_map<Vertex, double>("v:g", -1.).first;
-  GDP_CHECK(GDP::stitch(std::vector<Face>(), mesh, patches.patch, f, g, GDP::parameters::gradient_weight(1)) == GDP::OK);
+  GDP_CHECK(GDP::stitch(std::vector<Face>(), mesh, patches.patch, f, g, GDP::parameters::gradient_weight(1))
+            == GDP::OK);
   GDP_CHECK(GDP::stitch(region, mesh, patches.patch, f, g) == GDP::OK);
 
   double jump = 0;

@@ -4,8 +4,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Surfaces of all kinds by their properties: random soups give what the mesh gives, random seams too, polygons of any size reproduce
-// linear functions, signals on their faces and matrices of soups are those of a dense computation, lines of three sheets are curves.
+// Surfaces of all kinds by their properties: random soups give what the mesh gives, random seams too, polygons of any
+// size reproduce linear functions, signals on their faces and matrices of soups are those of a dense computation, lines
+// of three sheets are curves.
 
 #include "test_shapes.h"
 #include "test_utils.h"
@@ -113,7 +114,8 @@ void test_random_soups()
     const Shape shape = random_shape(random);
     const Soup soup(shape, trial % 3 == 0 ? 0 : random.in(0, 0.5), random);
     const GDP::Border_condition border = GDP::Border_condition(random.below(3));
-    const auto np = GDP::parameters::gradient_weight(std::pow(10., random.in(-4, -1))).gradient_scale(random.in(-0.5, 2))
+    const auto np = GDP::parameters::gradient_weight(std::pow(10., random.in(-4, -1)))
+                      .gradient_scale(random.in(-0.5, 2))
                       .border_condition(border);
     Points whole = points_of(shape), in_pieces = soup.points;
     GDP_CHECK(GDP::smooth(whole, shape.triangles, np) == GDP::ok);
@@ -157,7 +159,8 @@ Polygons random_polygons(const Shape& shape, Random& random)
   };
   for(int attempt = 0; attempt < 400; ++attempt)
   {
-    const std::size_t f = std::size_t(random.below(int(polygons.size()))), i = std::size_t(random.below(int(polygons[f].size())));
+    const std::size_t f = std::size_t(random.below(int(polygons.size()))),
+                      i = std::size_t(random.below(int(polygons[f].size())));
     const std::size_t n = polygons[f].size();
     const int v = polygons[f][i], w = polygons[f][(i + 1) % n];
     for(std::size_t g = 0; g < polygons.size(); ++g)
@@ -210,7 +213,8 @@ void test_random_polygons()
       GDP_CHECK_NEAR(out[v], linear[v], 1e-10);
 
     Eigen::SparseMatrix<double> mass, stiffness;
-    GDP_CHECK(GDP::mass_matrix(points, polygons, mass) == GDP::ok && GDP::stiffness_matrix(points, polygons, stiffness) == GDP::ok);
+    GDP_CHECK(GDP::mass_matrix(points, polygons, mass) == GDP::ok
+              && GDP::stiffness_matrix(points, polygons, stiffness) == GDP::ok);
     const Eigen::Map<const Eigen::VectorXd> f(linear.data(), Eigen::Index(linear.size()));
     const Eigen::VectorXd one = Eigen::VectorXd::Ones(f.size()), flow = stiffness * f;
     for(std::size_t v = 0; v < points.size(); ++v)
@@ -291,7 +295,8 @@ void test_matrices()
   GDP_CHECK_NEAR(mass.sum(), area, 1e-8); // a degenerate triangle has a little
   const Eigen::Index n = Eigen::Index(sheets.points.size());
   GDP_CHECK(mass.rows() == n && gradient.rows() == 2 * Eigen::Index(sheets.triangles.size()) && gradient.cols() == n);
-  GDP_CHECK_NEAR(difference(divergence * gradient, stiffness), 0, 1e-10 * Eigen::MatrixXd(stiffness).cwiseAbs().maxCoeff());
+  GDP_CHECK_NEAR(difference(divergence * gradient, stiffness), 0,
+                 1e-10 * Eigen::MatrixXd(stiffness).cwiseAbs().maxCoeff());
   GDP_CHECK_NEAR((gradient * Eigen::VectorXd::Ones(n)).cwiseAbs().maxCoeff(), 0, 0);
 
   const Polygons quad = {{0, 1, 2, 3}};
@@ -330,7 +335,8 @@ struct Dual
         faces_at[std::minmax(v, w)].push_back(f);
         if(i == 0 || i + 1 == polygon.size())
           continue;
-        const Vec a = vec(points[std::size_t(polygon[0])]), b = vec(points[std::size_t(v)]), c = vec(points[std::size_t(w)]);
+        const Vec a = vec(points[std::size_t(polygon[0])]), b = vec(points[std::size_t(v)]),
+                  c = vec(points[std::size_t(w)]);
         const double area = (b - a).cross(c - a).norm() / 2;
         areas(f, f) += area;
         center += area * (a + b + c) / 3;
@@ -342,8 +348,9 @@ struct Dual
       if(edge.second.size() != 2)
         continue;
       const Eigen::Index f = edge.second[0], g = edge.second[1];
-      const double weight = (vec(points[std::size_t(edge.first.first)]) - vec(points[std::size_t(edge.first.second)])).norm()
-                            / (centers[std::size_t(f)] - centers[std::size_t(g)]).norm();
+      const double weight =
+        (vec(points[std::size_t(edge.first.first)]) - vec(points[std::size_t(edge.first.second)])).norm()
+        / (centers[std::size_t(f)] - centers[std::size_t(g)]).norm();
       laplacian(f, f) += weight;
       laplacian(g, g) += weight;
       laplacian(f, g) -= weight;
@@ -370,9 +377,12 @@ void test_face_signals()
     for(std::size_t f = 0; f < polygons.size(); ++f)
       signal.push_back(random());
     const double alpha = random.in(0.5, 2), beta = std::pow(10., random.in(-3, 0)), lambda = random.in(-1, 2);
-    const auto np = GDP::parameters::value_weight(alpha).gradient_weight(beta).gradient_scale(lambda).area_normalization(false);
+    const auto np =
+      GDP::parameters::value_weight(alpha).gradient_weight(beta).gradient_scale(lambda).area_normalization(false);
     std::vector<double> out(signal.size());
-    GDP_CHECK(GDP::process_face_signal(points, polygons, CGAL::make_property_map(signal), CGAL::make_property_map(out), np) == GDP::ok);
+    GDP_CHECK(
+      GDP::process_face_signal(points, polygons, CGAL::make_property_map(signal), CGAL::make_property_map(out), np)
+      == GDP::ok);
     const Eigen::VectorXd expected = Dual(points, polygons).filtered(signal, alpha, beta, lambda);
     for(std::size_t f = 0; f < out.size(); ++f)
       GDP_CHECK_NEAR(out[f], expected[Eigen::Index(f)], 1e-10);
@@ -389,7 +399,9 @@ void test_face_signals()
         inside_signal.push_back(signal[f]);
       }
     std::vector<double> in_region = signal;
-    GDP_CHECK(GDP::process_face_signal(region, points, polygons, CGAL::make_property_map(in_region), CGAL::make_property_map(in_region), np) == GDP::ok);
+    GDP_CHECK(GDP::process_face_signal(region, points, polygons, CGAL::make_property_map(in_region),
+                                       CGAL::make_property_map(in_region), np)
+              == GDP::ok);
     const Eigen::VectorXd expected_inside = Dual(points, inside).filtered(inside_signal, alpha, beta, lambda);
     for(std::size_t i = 0; i < region.size(); ++i)
     {
@@ -404,7 +416,8 @@ void test_face_signals()
   const Polygons fan = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}};
   std::vector<double> signal = {1, 5, 9};
   const std::vector<double> before = signal;
-  GDP_CHECK(GDP::process_face_signal(points, fan, CGAL::make_property_map(signal), CGAL::make_property_map(signal)) == GDP::ok);
+  GDP_CHECK(GDP::process_face_signal(points, fan, CGAL::make_property_map(signal), CGAL::make_property_map(signal))
+            == GDP::ok);
   GDP_CHECK(signal == before);
 }
 
@@ -414,7 +427,9 @@ void test_lines()
 {
   typedef GDP::Border_condition Condition;
   const auto run = [](Points& points, const Shape& shape, Condition condition, double beta) {
-    return GDP::smooth(points, shape.triangles, GDP::parameters::gradient_weight(beta).area_normalization(false).non_manifold_condition(condition));
+    return GDP::smooth(
+      points, shape.triangles,
+      GDP::parameters::gradient_weight(beta).area_normalization(false).non_manifold_condition(condition));
   };
   const auto is_on_line = [](const Vec& p, bool is_closed) {
     return is_closed ? std::abs(p.head<2>().norm() - 1) < 1e-9 && std::abs(p.z()) < 1e-9 : p.head<2>().norm() < 1e-9;
@@ -422,7 +437,8 @@ void test_lines()
 
   // a circle is a curve of its own: it shrinks by the factor of the one-dimensional energy
   const int n = 24;
-  const double t = 0.05, h = 2 * std::sin(pi / n), c = std::cos(2 * pi / n), factor = 1 / (1 + t * 6 * (1 - c) / (h * h * (2 + c)));
+  const double t = 0.05, h = 2 * std::sin(pi / n), c = std::cos(2 * pi / n),
+               factor = 1 / (1 + t * 6 * (1 - c) / (h * h * (2 + c)));
   const Shape ring = three_sheets(n, true);
   Points free = points_of(ring), fixed = free, along = free;
   GDP_CHECK(run(free, ring, Condition::FREE, t) == GDP::ok && run(fixed, ring, Condition::FIXED, t) == GDP::ok);
@@ -445,13 +461,15 @@ void test_lines()
   GDP_CHECK(on_line == n);
 
   // what the sheets do is nothing to it
-  Points other = points_of(ring.mapped([&](const Vec& p) { return is_on_line(p, true) ? p : Vec(p + Vec(0, 0, 0.1 * std::sin(9 * p.x()))); }));
+  Points other = points_of(
+    ring.mapped([&](const Vec& p) { return is_on_line(p, true) ? p : Vec(p + Vec(0, 0, 0.1 * std::sin(9 * p.x()))); }));
   GDP_CHECK(run(other, ring, Condition::ALONG_BORDER, t) == GDP::ok);
   for(std::size_t v = 0; v < other.size(); ++v)
     if(is_on_line(ring.points[v], true))
       GDP_CHECK_NEAR((vec(other[v]) - vec(along[v])).norm(), 0, 1e-14);
 
-  // where it is straight it stays so, however its points are spaced; lines and borders both, and ends that are held by the border
+  // where it is straight it stays so, however its points are spaced; lines and borders both, and ends that are held by
+  // the border
   const Shape book = three_sheets(6, false);
   Points points = points_of(book);
   GDP_CHECK(GDP::smooth(points, book.triangles, GDP::parameters::gradient_weight(t).border_condition(Condition::FIXED)
@@ -460,9 +478,12 @@ void test_lines()
     if(is_on_line(book.points[v], false))
       GDP_CHECK_NEAR((vec(points[v]) - book.points[v]).norm(), 0, 1e-14);
   // where values do not count, a free line needs something to hold it
-  GDP_CHECK(GDP::smooth(points, book.triangles, GDP::parameters::value_weight(0.).non_manifold_condition(Condition::ALONG_BORDER))
+  GDP_CHECK(GDP::smooth(points, book.triangles,
+                        GDP::parameters::value_weight(0.).non_manifold_condition(Condition::ALONG_BORDER))
             == GDP::error_unconstrained);
-  GDP_CHECK(GDP::smooth(points, book.triangles, GDP::parameters::value_weight(0.).non_manifold_condition(Condition::FIXED)) == GDP::ok);
+  GDP_CHECK(
+    GDP::smooth(points, book.triangles, GDP::parameters::value_weight(0.).non_manifold_condition(Condition::FIXED))
+    == GDP::ok);
 }
 
 } // namespace

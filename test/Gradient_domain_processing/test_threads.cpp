@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Everything that runs in parallel, on meshes large enough for it: results are the same to the bit with one thread and with
-// several, and a visitor is called by one thread at a time. ThreadSanitizer watches it, see the preset tsan.
+// Everything that runs in parallel, on meshes large enough for it: results are the same to the bit with one thread and
+// with several, and a visitor is called by one thread at a time. ThreadSanitizer watches it, see the preset tsan.
 
 #include "test_meshes.h"
 #include "test_utils.h"
@@ -71,12 +71,16 @@ int main()
 
   for(const GDP::Curvature_estimator estimator : {GDP::Curvature_estimator::JETS, GDP::Curvature_estimator::NORMALS})
     check(soup, [&](Mesh& mesh, Counting_visitor& visitor) {
-      return GDP::smooth(mesh, GDP::parameters::gradient_weight(1e-3).curvature_metric_kind(GDP::Curvature_metric_kind::EDGE_AWARE)
-        .curvature_estimator(estimator).curvature_weight(0.01).visitor(std::ref(visitor)));
+      return GDP::smooth(mesh, GDP::parameters::gradient_weight(1e-3)
+                                 .curvature_metric_kind(GDP::Curvature_metric_kind::EDGE_AWARE)
+                                 .curvature_estimator(estimator)
+                                 .curvature_weight(0.01)
+                                 .visitor(std::ref(visitor)));
     });
   check(soup, [&](Mesh& mesh, Counting_visitor& visitor) {
     GDP::Conjugate_gradient_solver_traits<> solver;
-    return GDP::smooth(mesh, GDP::parameters::gradient_weight(1e-3).sparse_linear_solver(solver).visitor(std::ref(visitor)));
+    return GDP::smooth(mesh,
+                       GDP::parameters::gradient_weight(1e-3).sparse_linear_solver(solver).visitor(std::ref(visitor)));
   });
   check(soup, [&](Mesh& mesh, Counting_visitor& visitor) {
     return GDP::denoise(mesh, GDP::parameters::number_of_iterations(1).visitor(std::ref(visitor)));
@@ -87,8 +91,12 @@ int main()
   {
     Mesh mesh = built<Mesh>(soup);
     Counting_visitor visitor(cancel_at);
-    GDP_CHECK(GDP::smooth(mesh, GDP::parameters::gradient_weight(1e-3).curvature_metric_kind(GDP::Curvature_metric_kind::EDGE_AWARE)
-      .curvature_estimator(GDP::Curvature_estimator::JETS).curvature_weight(0.01).visitor(std::ref(visitor))) == GDP::ERROR_CANCELLED);
+    GDP_CHECK(GDP::smooth(mesh, GDP::parameters::gradient_weight(1e-3)
+                                  .curvature_metric_kind(GDP::Curvature_metric_kind::EDGE_AWARE)
+                                  .curvature_estimator(GDP::Curvature_estimator::JETS)
+                                  .curvature_weight(0.01)
+                                  .visitor(std::ref(visitor)))
+              == GDP::ERROR_CANCELLED);
     GDP_CHECK(visitor.calls == cancel_at); // and is not asked again
     GDP_CHECK(coordinates(mesh) == soup.points);
   }

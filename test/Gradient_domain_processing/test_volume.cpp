@@ -22,8 +22,11 @@ GDP::Error_code run(Mesh& mesh, bool restore, double weight, double scale = 0, i
   auto map = mesh.add_property_map<Vertex, bool>("v:constrained", false).first;
   if(constrained >= 0)
     map[Vertex(constrained)] = true;
-  const GDP::Error_code code = GDP::smooth(mesh, GDP::parameters::restore_volume(restore).gradient_weight(weight).gradient_scale(scale)
-                                                   .number_of_iterations(iterations).vertex_is_constrained_map(map)
+  const GDP::Error_code code = GDP::smooth(mesh, GDP::parameters::restore_volume(restore)
+                                                   .gradient_weight(weight)
+                                                   .gradient_scale(scale)
+                                                   .number_of_iterations(iterations)
+                                                   .vertex_is_constrained_map(map)
                                                    .border_condition(condition));
   mesh.remove_property_map(map);
   return code;
@@ -46,7 +49,8 @@ std::vector<Component> components(const Mesh& mesh, const std::vector<std::size_
   {
     const auto c = corners(mesh, f);
     const std::size_t i = std::upper_bound(ends.begin(), ends.end(), std::size_t(c[0])) - ends.begin();
-    const Vec p = vec(mesh.point(c[0])) - origin[i], q = vec(mesh.point(c[1])) - origin[i], r = vec(mesh.point(c[2])) - origin[i];
+    const Vec p = vec(mesh.point(c[0])) - origin[i], q = vec(mesh.point(c[1])) - origin[i],
+              r = vec(mesh.point(c[2])) - origin[i];
     const double area = area_vector(mesh, f).norm();
     result[i].volume += p.dot(q.cross(r)) / 6;
     result[i].area += area;
@@ -66,8 +70,8 @@ void test_closed_meshes()
     const double r = 1 + 0.4 * std::cos(2 * pi * v);
     return Vec(r * std::cos(2 * pi * u), r * std::sin(2 * pi * u), 5 + 0.4 * std::sin(2 * pi * v));
   }, true, true);
-  const std::vector<Shape> shapes = {sphere(8).noisy(0.03), ellipsoid(6, Vec(1, 0.5, 0.3)).moved(Vec(4, 0, 0)), inverted, torus,
-                                     cubes({{{0, 0, 0}}, {{1, 0, 0}}}, 4).moved(Vec(-5, 0, 0))};
+  const std::vector<Shape> shapes = {sphere(8).noisy(0.03), ellipsoid(6, Vec(1, 0.5, 0.3)).moved(Vec(4, 0, 0)),
+                                     inverted, torus, cubes({{{0, 0, 0}}, {{1, 0, 0}}}, 4).moved(Vec(-5, 0, 0))};
   Shape all;
   std::vector<std::size_t> ends;
   for(const Shape& shape : shapes)
@@ -109,7 +113,8 @@ void test_meshes_without_volume()
   for(const Shape& shape : {opened, patch, ball + patch})
   {
     const Mesh before = mesh_of(shape);
-    for(GDP::Border_condition condition : {GDP::Border_condition::FREE, GDP::Border_condition::FIXED, GDP::Border_condition::ALONG_BORDER})
+    for(GDP::Border_condition condition :
+        {GDP::Border_condition::FREE, GDP::Border_condition::FIXED, GDP::Border_condition::ALONG_BORDER})
     {
       Mesh mesh = before;
       GDP_CHECK(run(mesh, true, 1e-3, 0, -1, 1, condition) == GDP::ERROR_NO_VOLUME);

@@ -4,7 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Wishes of people with files: smoothing that does not shrink, no vertex further than a limit, along some axes only, missing values.
+// Wishes of people with files: smoothing that does not shrink, no vertex further than a limit, along some axes only,
+// missing values.
 
 #include "test_shapes.h"
 #include "test_utils.h"
@@ -43,7 +44,9 @@ void test_not_shrinking()
     for(int order : {1, 2, 3, 6})
     {
       Mesh mesh = ball;
-      GDP_CHECK(GDP::smooth(mesh, GDP::parameters::gradient_weight(t).area_normalization(false).non_shrinking_order(order)) == GDP::ok);
+      GDP_CHECK(
+        GDP::smooth(mesh, GDP::parameters::gradient_weight(t).area_normalization(false).non_shrinking_order(order))
+        == GDP::ok);
       GDP_CHECK_NEAR(mean_radius(mesh), 1 - std::pow(2 * t / (1 + 2 * t), order), 1e-3);
     }
   // two are smoothing followed by sharpening with lambda 2
@@ -52,7 +55,8 @@ void test_not_shrinking()
   GDP_CHECK(GDP::smooth(twice, GDP::parameters::gradient_weight(1e-3).non_shrinking_order(2)) == GDP::ok);
   auto solver = GDP::make_gradient_domain_solver(rough, GDP::parameters::gradient_weight(1e-3));
   const auto map = in_turn.points();
-  GDP_CHECK(solver.filter(map, map) == GDP::ok && solver.set_gradient_scale(2) == GDP::ok && solver.filter(map, map) == GDP::ok);
+  GDP_CHECK(solver.filter(map, map) == GDP::ok && solver.set_gradient_scale(2) == GDP::ok
+            && solver.filter(map, map) == GDP::ok);
   GDP_CHECK(distance(twice, in_turn) < 1e-12);
   GDP_CHECK(GDP::smooth(twice, GDP::parameters::non_shrinking_order(0)) == GDP::error_invalid_parameter);
 }
@@ -69,7 +73,8 @@ void test_limits()
   Mesh mesh = before, plain = before;
   Notices notices;
   GDP_CHECK(GDP::smooth(plain, GDP::parameters::gradient_weight(1e-3)) == GDP::ok);
-  GDP_CHECK(GDP::smooth(mesh, GDP::parameters::gradient_weight(1e-3).max_displacement(10.).visitor(std::ref(notices))) == GDP::ok);
+  GDP_CHECK(GDP::smooth(mesh, GDP::parameters::gradient_weight(1e-3).max_displacement(10.).visitor(std::ref(notices)))
+            == GDP::ok);
   GDP_CHECK(notices.sentences.size() == 1);
   int limited = 0;
   for(Vertex v : mesh.vertices())
@@ -118,7 +123,8 @@ void test_missing_values()
     GDP_CHECK_NEAR(out[v], in[v], 2e-3); // harmonic inside, as a linear function is
   std::vector<double> infinite = in;
   infinite[3] = std::numeric_limits<double>::infinity();
-  GDP_CHECK(GDP::process_signal(mesh, CGAL::make_property_map(infinite), map, np.missing_values(true)) == GDP::error_invalid_signal);
+  GDP_CHECK(GDP::process_signal(mesh, CGAL::make_property_map(infinite), map, np.missing_values(true))
+            == GDP::error_invalid_signal);
 }
 
 std::vector<Vector> normals_of(const Mesh& mesh)
@@ -158,7 +164,8 @@ Shape sphere_with_cap(double height)
   return shape;
 }
 
-// The mesh's own normals move nothing, at creases and caps either; smoothed ones keep thin parts and throw no vertex away.
+// The mesh's own normals move nothing, at creases and caps either; smoothed ones keep thin parts and throw no vertex
+// away.
 void test_own_normals()
 {
   std::set<std::array<int, 3> > plate, slab;
@@ -170,8 +177,8 @@ void test_own_normals()
         plate.insert({{i, j, 0}});
     }
   const Shape two = cubes({{{0, 0, 0}}}, 6) + sphere(6).scaled(0.3).moved(Vec(3, 0, 0));
-  for(const Shape& shape : {cubes(plate, 2), cubes(slab, 1).scaled(0.05), two, cubes({{{0, 0, 0}}}, 10), sphere(8).noisy(0.05), sphere_with_cap(0), sphere_with_cap(1e-6),
-                            jittered_square(8)})
+  for(const Shape& shape : {cubes(plate, 2), cubes(slab, 1).scaled(0.05), two, cubes({{{0, 0, 0}}}, 10),
+                            sphere(8).noisy(0.05), sphere_with_cap(0), sphere_with_cap(1e-6), jittered_square(8)})
   {
     const Mesh before = mesh_of(shape);
     const std::vector<Vector> normals = normals_of(before);
@@ -179,12 +186,15 @@ void test_own_normals()
     GDP_CHECK(GDP::fit_to_normals(mesh, CGAL::make_property_map(normals)) == GDP::ok);
     GDP_CHECK(distance(mesh, before) < 1e-9);
     mesh = before;
-    GDP_CHECK(GDP::fit_to_normals(mesh, CGAL::make_property_map(normals), GDP::parameters::gradient_scale(0.).gradient_weight(1e-4)) == GDP::ok);
+    GDP_CHECK(GDP::fit_to_normals(mesh, CGAL::make_property_map(normals),
+                                  GDP::parameters::gradient_scale(0.).gradient_weight(1e-4))
+              == GDP::ok);
     GDP_CHECK(distance(mesh, before) < 0.1);
     if(CGAL::is_closed(mesh))
       GDP_CHECK_NEAR(volume(mesh) / volume(before), 1, 1e-6); // a crease whose normals are smoothed bulges
     if(shape.points.size() == two.points.size())
-      GDP_CHECK_NEAR(volume_of_first(mesh, 6 * 2 * 36) / volume_of_first(before, 6 * 2 * 36), 1, 1e-6); // each part's own
+      // each part's own
+      GDP_CHECK_NEAR(volume_of_first(mesh, 6 * 2 * 36) / volume_of_first(before, 6 * 2 * 36), 1, 1e-6);
   }
   for(double height : {0., 1e-6, 1e-3})
     for(GDP::Normal_fit_kind kind : {GDP::Normal_fit_kind::FACES, GDP::Normal_fit_kind::EDGES})
@@ -200,7 +210,8 @@ void test_own_normals()
           low = (std::min)(low, vec(mesh.point(v)).norm());
           high = (std::max)(high, vec(mesh.point(v)).norm());
         }
-        std::cout << "cap " << height << " kind " << int(kind) << " lambda " << scale << ": radius " << low << " to " << high << std::endl;
+        std::cout << "cap " << height << " kind " << int(kind) << " lambda " << scale << ": radius " << low << " to "
+                  << high << std::endl;
         GDP_CHECK(low > 0.97 && high < 1.03);
       }
 }
@@ -222,7 +233,8 @@ void test_wanted_normals()
   for(GDP::Normal_fit_kind kind : {GDP::Normal_fit_kind::FACES, GDP::Normal_fit_kind::EDGES})
   {
     Mesh mesh = rough;
-    GDP_CHECK(GDP::fit_to_normals(mesh, CGAL::make_property_map(wanted), GDP::parameters::normal_fit_kind(kind)) == GDP::ok);
+    GDP_CHECK(GDP::fit_to_normals(mesh, CGAL::make_property_map(wanted), GDP::parameters::normal_fit_kind(kind))
+              == GDP::ok);
     std::cout << "normals of kind " << int(kind) << ": " << error(rough) << " -> " << error(mesh) << std::endl;
     GDP_CHECK(error(mesh) < 0.6 * error(rough));
   }

@@ -28,7 +28,8 @@ namespace GDP = CGAL::Gradient_domain_processing;
 namespace {
 
 template <class T>
-T choice(const po::variables_map& given, const std::string& option, std::initializer_list<std::pair<const char*, T> > choices)
+T choice(const po::variables_map& given, const std::string& option,
+         std::initializer_list<std::pair<const char*, T> > choices)
 {
   const std::string& word = given[option].as<std::string>();
   std::string known;
@@ -46,7 +47,8 @@ std::vector<std::string> words(int argc, char* argv[])
 {
   std::vector<std::string> words(argv + 1, argv + argc);
   for(std::size_t i = 0; i + 1 < words.size(); ++i)
-    if(words[i] == "--non-shrinking" && !words[i + 1].empty() && words[i + 1].find_first_not_of("0123456789") == std::string::npos)
+    if(words[i] == "--non-shrinking" && !words[i + 1].empty()
+       && words[i + 1].find_first_not_of("0123456789") == std::string::npos)
     {
       words[i] += "=" + words[i + 1];
       words.erase(words.begin() + std::ptrdiff_t(i) + 1);
@@ -77,7 +79,8 @@ void store(int argc, char* argv[], const po::options_description& all, po::varia
 
 void read_files(const po::variables_map& given, Options& o)
 {
-  const std::vector<std::string> files = given.count("files") ? given["files"].as<std::vector<std::string> >() : std::vector<std::string>();
+  const std::vector<std::string> files =
+    given.count("files") ? given["files"].as<std::vector<std::string> >() : std::vector<std::string>();
   for(const std::string& file : files)
     if(file.size() > 1 && file[0] == '-')
       throw Usage_error("unknown option " + file);
@@ -87,8 +90,9 @@ void read_files(const po::variables_map& given, Options& o)
   o.output = files[1];
   const auto format = [&](const char* option, const std::string& file) -> std::optional<File_format> {
     if(given.count(option))
-      return choice<File_format>(given, option, {{"off", File_format::OFF}, {"obj", File_format::OBJ}, {"ply", File_format::PLY},
-                                                 {"stl", File_format::STL}});
+      return choice<File_format>(
+        given, option,
+        {{"off", File_format::OFF}, {"obj", File_format::OBJ}, {"ply", File_format::PLY}, {"stl", File_format::STL}});
     if(file == "-")
       return std::nullopt;
     return file_format(file);
@@ -102,22 +106,36 @@ void read_files(const po::variables_map& given, Options& o)
 void read_choices(const po::variables_map& given, Options& o)
 {
   typedef GDP::Curvature_metric_kind Metric;
-  o.operation = choice<Operation>(given, "operation", {{"filter", Operation::FILTER}, {"enhance-details", Operation::ENHANCE_DETAILS},
-                                                       {"denoise", Operation::DENOISE}, {"fair", Operation::FAIR}, {"low-pass", Operation::LOW_PASS},
-                                                       {"high-pass", Operation::HIGH_PASS}, {"band-pass", Operation::BAND_PASS},
-                                                       {"band-stop", Operation::BAND_STOP}, {"spectrum", Operation::SPECTRUM}});
-  o.metric = choice<Metric>(given, "metric", {{"embedding", Metric::EMBEDDING}, {"edge-aware", Metric::EDGE_AWARE},
-                                              {"anisotropic", Metric::ANISOTROPIC}, {"preserve-convex", Metric::PRESERVE_CONVEX},
-                                              {"preserve-concave", Metric::PRESERVE_CONCAVE}});
+  o.operation = choice<Operation>(given, "operation",
+                                  {{"filter", Operation::FILTER},
+                                   {"enhance-details", Operation::ENHANCE_DETAILS},
+                                   {"denoise", Operation::DENOISE},
+                                   {"fair", Operation::FAIR},
+                                   {"low-pass", Operation::LOW_PASS},
+                                   {"high-pass", Operation::HIGH_PASS},
+                                   {"band-pass", Operation::BAND_PASS},
+                                   {"band-stop", Operation::BAND_STOP},
+                                   {"spectrum", Operation::SPECTRUM}});
+  o.metric = choice<Metric>(given, "metric",
+                            {{"embedding", Metric::EMBEDDING},
+                             {"edge-aware", Metric::EDGE_AWARE},
+                             {"anisotropic", Metric::ANISOTROPIC},
+                             {"preserve-convex", Metric::PRESERVE_CONVEX},
+                             {"preserve-concave", Metric::PRESERVE_CONCAVE}});
   o.curvature = choice<GDP::Curvature_estimator>(given, "curvature", {{"jets", GDP::Curvature_estimator::JETS},
                                                                       {"normals", GDP::Curvature_estimator::NORMALS}});
-  o.border = choice<GDP::Border_condition>(given, "border", {{"free", GDP::Border_condition::FREE}, {"fixed", GDP::Border_condition::FIXED},
-                                                             {"along-border", GDP::Border_condition::ALONG_BORDER}});
-  o.non_manifold = choice<GDP::Border_condition>(given, "non-manifold", {{"free", GDP::Border_condition::FREE}, {"fixed", GDP::Border_condition::FIXED},
-                                                                         {"along-lines", GDP::Border_condition::ALONG_BORDER}});
+  o.border = choice<GDP::Border_condition>(given, "border",
+                                           {{"free", GDP::Border_condition::FREE},
+                                            {"fixed", GDP::Border_condition::FIXED},
+                                            {"along-border", GDP::Border_condition::ALONG_BORDER}});
+  o.non_manifold = choice<GDP::Border_condition>(given, "non-manifold",
+                                                 {{"free", GDP::Border_condition::FREE},
+                                                  {"fixed", GDP::Border_condition::FIXED},
+                                                  {"along-lines", GDP::Border_condition::ALONG_BORDER}});
   o.solver = choice<Solver_kind>(given, "solver", {{"auto", Solver_kind::AUTO}, {"eigen", Solver_kind::EIGEN},
                                                    {"cholmod", Solver_kind::CHOLMOD}, {"cg", Solver_kind::CG}});
-  o.normal_fit = choice<GDP::Normal_fit_kind>(given, "normal-fit", {{"faces", GDP::Normal_fit_kind::FACES}, {"edges", GDP::Normal_fit_kind::EDGES}});
+  o.normal_fit = choice<GDP::Normal_fit_kind>(
+    given, "normal-fit", {{"faces", GDP::Normal_fit_kind::FACES}, {"edges", GDP::Normal_fit_kind::EDGES}});
   o.area_normalization = choice<bool>(given, "area-normalization", {{"on", true}, {"off", false}});
   if(given.count("precision"))
     o.precision = choice<Precision>(given, "precision", {{"single", Precision::SINGLE}, {"double", Precision::DOUBLE}});
@@ -200,8 +218,8 @@ void read_rest(const po::variables_map& given, Options& o)
   if(given.count("wavelengths"))
     read_wavelengths(given["wavelengths"].as<std::string>(), o);
   // normals are fitted as they are, unless their filter is described
-  if(o.signal == Signal_kind::NORMAL_TO_POSITION && !is_given(given, "gradient-scale") && !is_given(given, "gradient-weight")
-     && !given.count("gradient-weight-property"))
+  if(o.signal == Signal_kind::NORMAL_TO_POSITION && !is_given(given, "gradient-scale")
+     && !is_given(given, "gradient-weight") && !given.count("gradient-weight-property"))
     o.gradient_scale = 1;
   o.restores_volume = given.count("restore-volume") > 0;
   o.has_missing_values = given.count("missing-values") > 0;

@@ -36,16 +36,19 @@ struct Options
   std::string value_weight_property, gradient_weight_property, gradient_scale_property;
   CGAL::Gradient_domain_processing::Curvature_metric_kind metric =
     CGAL::Gradient_domain_processing::Curvature_metric_kind::EMBEDDING;
-  CGAL::Gradient_domain_processing::Curvature_estimator curvature = CGAL::Gradient_domain_processing::Curvature_estimator::JETS;
+  CGAL::Gradient_domain_processing::Curvature_estimator curvature =
+    CGAL::Gradient_domain_processing::Curvature_estimator::JETS;
   double curvature_weight = 0.02, presmoothing_weight = 1e-4, normal_projection_weight = 100;
-  CGAL::Gradient_domain_processing::Normal_fit_kind normal_fit = CGAL::Gradient_domain_processing::Normal_fit_kind::FACES;
+  CGAL::Gradient_domain_processing::Normal_fit_kind normal_fit =
+    CGAL::Gradient_domain_processing::Normal_fit_kind::FACES;
   int jet_degree = 2, iterations = 1, threads = 0;
   int non_shrinking = 1; // how often the filter is applied to what it has missed
   double sharpening_weight = 1e-5, sharpening_scale = 4;
   std::optional<int> passes;
   std::optional<double> noise_level, noise_scale, denoising_value_weight, max_displacement;
   CGAL::Gradient_domain_processing::Border_condition border = CGAL::Gradient_domain_processing::Border_condition::FREE;
-  CGAL::Gradient_domain_processing::Border_condition non_manifold = CGAL::Gradient_domain_processing::Border_condition::FREE;
+  CGAL::Gradient_domain_processing::Border_condition non_manifold =
+    CGAL::Gradient_domain_processing::Border_condition::FREE;
   bool restores_volume = false, area_normalization = true, has_missing_values = false, keeps_normals = false;
   std::array<bool, 3> moves_along = {{true, true, true}};
   std::optional<double> weld_tolerance = 0.; // none: seams stay open
@@ -64,7 +67,8 @@ struct Options
   }
   bool moves_vertices() const
   {
-    return operation != Operation::SPECTRUM && (signal == Signal_kind::POSITION || signal == Signal_kind::NORMAL_TO_POSITION);
+    return operation != Operation::SPECTRUM
+           && (signal == Signal_kind::POSITION || signal == Signal_kind::NORMAL_TO_POSITION);
   }
   bool is_of_paper() const { return operation == Operation::FILTER || operation == Operation::ENHANCE_DETAILS; }
   // Nothing is filtered: something is added to the file.
@@ -72,7 +76,8 @@ struct Options
   // Missing values are coordinates along the one axis along which vertices move.
   bool fills_heights() const
   {
-    return has_missing_values && signal == Signal_kind::POSITION && std::count(moves_along.begin(), moves_along.end(), true) == 1;
+    return has_missing_values && signal == Signal_kind::POSITION
+           && std::count(moves_along.begin(), moves_along.end(), true) == 1;
   }
   bool has_metric() const { return metric != CGAL::Gradient_domain_processing::Curvature_metric_kind::EMBEDDING; }
 

@@ -101,7 +101,8 @@ void Output_file::write(std::string contents)
     m_temporary.clear();
     throw Failure(m_name, "cannot be written: " + reason);
   }
-  const bool is_written = std::fwrite(contents.data(), 1, contents.size(), file) == contents.size() && std::fflush(file) == 0;
+  const bool is_written =
+    std::fwrite(contents.data(), 1, contents.size(), file) == contents.size() && std::fflush(file) == 0;
   const int reason = errno;
   if(std::fclose(file) != 0 || !is_written)
     throw Failure(m_name, std::string("cannot be written: ") + std::strerror(is_written ? errno : reason));

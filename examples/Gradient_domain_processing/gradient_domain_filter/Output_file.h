@@ -10,8 +10,8 @@
 #include <filesystem>
 #include <string>
 
-// A file that is there completely or not at all: written under another name in the same folder, then renamed. "-" is the
-// standard output, written at the end.
+// A file that is there completely or not at all: written under another name in the same folder, then renamed. "-" is
+// the standard output, written at the end.
 class Output_file
 {
   std::string m_name; // as the user said it

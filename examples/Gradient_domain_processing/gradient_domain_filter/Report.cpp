@@ -49,7 +49,11 @@ std::string known(double x) { return x < 0 ? "null" : json_number(x); }
 std::size_t utf8_length(const std::string& s, std::size_t i)
 {
   const unsigned char c = (unsigned char)s[i];
-  const std::size_t length = c < 0x80 ? 1 : c >= 0xc2 && c < 0xe0 ? 2 : c >= 0xe0 && c < 0xf0 ? 3 : c >= 0xf0 && c < 0xf5 ? 4 : 0;
+  const std::size_t length = c < 0x80                ? 1
+                             : c >= 0xc2 && c < 0xe0 ? 2
+                             : c >= 0xe0 && c < 0xf0 ? 3
+                             : c >= 0xf0 && c < 0xf5 ? 4
+                                                     : 0;
   for(std::size_t k = 1; k < length; ++k)
     if(i + k >= s.size() || ((unsigned char)s[i + k] & 0xc0) != 0x80)
       return 0;
@@ -106,7 +110,8 @@ std::vector<std::pair<std::string, std::string> > used_weights(const Options& o)
     return used;
   if(o.operation == Operation::DENOISE)
   {
-    add("value_weight", o.denoising_value_weight.value_or(CGAL::Gradient_domain_processing::internal::denoising::value_weight));
+    add("value_weight",
+        o.denoising_value_weight.value_or(CGAL::Gradient_domain_processing::internal::denoising::value_weight));
     return used;
   }
   for(std::size_t i = 0; i < o.wavelengths.size(); ++i)
@@ -167,7 +172,8 @@ void Report::measure(const std::vector<std::vector<double> >& before, const std:
     bool is_changed = is_new;
     for(std::size_t c = 0; c < after.size() && !is_new; ++c)
     {
-      is_changed = is_changed || !(before[c][i] == after[c][i] || (std::isnan(before[c][i]) && std::isnan(after[c][i])));
+      is_changed =
+        is_changed || !(before[c][i] == after[c][i] || (std::isnan(before[c][i]) && std::isnan(after[c][i])));
       if(const double x = after[c][i] - before[c][i]; std::isfinite(x))
         change = std::hypot(change, x);
     }
@@ -182,8 +188,10 @@ std::vector<std::string> Report::remarks(const Options& o) const
   std::vector<std::string> remarks = notices;
   if(!survey)
     return remarks;
-  const bool has_one_weight = o.is_of_paper() && o.signal != Signal_kind::CURVATURE && o.gradient_weight_property.empty();
-  for(const std::string& remark : survey->remarks(o.weld_tolerance.has_value(), o.weld_tolerance.value_or(0) > 0, has_one_weight))
+  const bool has_one_weight =
+    o.is_of_paper() && o.signal != Signal_kind::CURVATURE && o.gradient_weight_property.empty();
+  for(const std::string& remark :
+      survey->remarks(o.weld_tolerance.has_value(), o.weld_tolerance.value_or(0) > 0, has_one_weight))
     remarks.push_back(remark);
   return remarks;
 }
@@ -226,14 +234,16 @@ std::string Report::summary(const Options& o, const Stage_clock& clock) const
 {
   std::string text = "read " + o.input_name();
   if(survey)
-    text += ": " + std::to_string(survey->vertices) + " vertices, " + std::to_string(survey->faces) + " faces, "
-            + (survey->border_edges == 0 ? std::string("closed") : std::to_string(survey->border_edges) + " border edges") + ", area "
-            + number(survey->area, "%.6g");
+    text +=
+      ": " + std::to_string(survey->vertices) + " vertices, " + std::to_string(survey->faces) + " faces, "
+      + (survey->border_edges == 0 ? std::string("closed") : std::to_string(survey->border_edges) + " border edges")
+      + ", area " + number(survey->area, "%.6g");
   text += "\n";
   for(const std::string& remark : remarks(o))
     text += "  " + remark + "\n";
   if(o.only_adds())
-    text += o.operation == Operation::SPECTRUM ? std::to_string(facts.eigenvalues.size()) + " harmonics found\n" : "curvature estimated\n";
+    text += o.operation == Operation::SPECTRUM ? std::to_string(facts.eigenvalues.size()) + " harmonics found\n"
+                                               : "curvature estimated\n";
   else
   {
     text += o.operation_name + " " + o.signal_name + ":";
@@ -250,7 +260,8 @@ std::string Report::summary(const Options& o, const Stage_clock& clock) const
       std::replace(name.begin(), name.end(), '_', ' ');
       text += " " + name + " " + number(fact.second, "%.4g") + ",";
     }
-    text += (!o.is_of_paper() && !o.is_band() ? "" : " metric " + o.metric_name + ",") + std::string(" solver ") + facts.solver + "\n";
+    text += (!o.is_of_paper() && !o.is_band() ? "" : " metric " + o.metric_name + ",") + std::string(" solver ")
+            + facts.solver + "\n";
     text += o.moves_vertices() ? "vertices moved by " : "values changed by ";
     text += number(mean_displacement, "%.4g") + " on average, " + number(max_displacement, "%.4g") + " at most\n";
   }

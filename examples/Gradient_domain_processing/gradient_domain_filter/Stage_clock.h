@@ -15,8 +15,8 @@
 #include <utility>
 #include <vector>
 
-// A visitor that measures the stages, each without those inside of it, shows the current one on a terminal, and keeps what an
-// error is about.
+// A visitor that measures the stages, each without those inside of it, shows the current one on a terminal, and keeps
+// what an error is about.
 class Stage_clock
 {
   typedef std::chrono::steady_clock Clock;
@@ -32,7 +32,8 @@ class Stage_clock
 public:
   explicit Stage_clock(bool is_shown) : m_is_shown(is_shown)
   {
-    for(const char* name : {"read", "validate", "curvature", "metric", "analyze", "assemble", "factor", "solve", "write"})
+    for(const char* name :
+        {"read", "validate", "curvature", "metric", "analyze", "assemble", "factor", "solve", "write"})
       m_seconds.emplace_back(name, 0.);
   }
   ~Stage_clock() { clear(); }
@@ -58,7 +59,9 @@ public:
   // The model of GradientDomainVisitor. What the library calls reading is for the program checking.
   void stage_begins(CGAL::Gradient_domain_processing::Stage stage)
   {
-    begin(stage == CGAL::Gradient_domain_processing::Stage::READ ? "validate" : CGAL::Gradient_domain_processing::get_stage_name(stage));
+    begin(stage == CGAL::Gradient_domain_processing::Stage::READ
+            ? "validate"
+            : CGAL::Gradient_domain_processing::get_stage_name(stage));
   }
   void stage_ends(CGAL::Gradient_domain_processing::Stage) { end(); }
   bool go_on(double done)
@@ -69,9 +72,15 @@ public:
   }
 
   template <class Vertex>
-  void invalid_vertex(CGAL::Gradient_domain_processing::Error_code, Vertex v) { m_invalid = "vertex " + std::to_string(std::size_t(v)); }
+  void invalid_vertex(CGAL::Gradient_domain_processing::Error_code, Vertex v)
+  {
+    m_invalid = "vertex " + std::to_string(std::size_t(v));
+  }
   template <class Face>
-  void invalid_face(CGAL::Gradient_domain_processing::Error_code, Face f) { m_invalid = "face " + std::to_string(std::size_t(f)); }
+  void invalid_face(CGAL::Gradient_domain_processing::Error_code, Face f)
+  {
+    m_invalid = "face " + std::to_string(std::size_t(f));
+  }
 
   void notice(const std::string& sentence) { m_notices.push_back(sentence); }
   const std::vector<std::string>& notices() const { return m_notices; }

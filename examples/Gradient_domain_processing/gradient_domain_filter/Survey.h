@@ -24,7 +24,8 @@ struct Survey
   std::size_t seam_vertices = 0;     // at the border, at the same place as another one
   double area = 0, smallest_extent = 0, largest_extent = 0; // of components
 
-  // What a stranger will trip over, a line each. Where vertices that are near are welded, too, parts are not what they seem here.
+  // What a stranger will trip over, a line each. Where vertices that are near are welded, too, parts are not what they
+  // seem here.
   std::vector<std::string> remarks(bool seams_are_welded, bool near_ones_are_welded, bool has_one_weight) const;
 };
 

@@ -36,7 +36,8 @@ void forbid(const po::variables_map& given, std::initializer_list<const char*> o
 }
 
 // An option that would have no effect is a mistake.
-void require(const po::variables_map& given, std::initializer_list<const char*> options, bool has_effect, const char* needed)
+void require(const po::variables_map& given, std::initializer_list<const char*> options, bool has_effect,
+             const char* needed)
 {
   for(const char* option : options)
     if(!has_effect && is_given(given, option))
@@ -59,7 +60,8 @@ void check_count(const char* option, int n)
 bool is_same_file(const std::string& a, const std::string& b)
 {
   std::error_code error;
-  const auto place_a = std::filesystem::weakly_canonical(a, error), place_b = std::filesystem::weakly_canonical(b, error);
+  const auto place_a = std::filesystem::weakly_canonical(a, error),
+             place_b = std::filesystem::weakly_canonical(b, error);
   return a == b || (!error && std::filesystem::absolute(place_a, error) == std::filesystem::absolute(place_b, error))
          || std::filesystem::equivalent(a, b, error);
 }
@@ -89,8 +91,10 @@ void check_beyond(const po::variables_map& given, const Options& o)
 {
   const bool is_fair = o.operation == Operation::FAIR, is_spectrum = o.operation == Operation::SPECTRUM;
   if(is_fair || is_spectrum || o.is_band())
-    forbid(given, {"value-weight", "gradient-weight", "gradient-scale", "hessian-weight", "value-weight-property", "gradient-weight-property",
-                   "gradient-scale-property", "non-shrinking", "iterations", "restore-volume", "missing-values", "solver"},
+    forbid(given,
+           {"value-weight", "gradient-weight", "gradient-scale", "hessian-weight", "value-weight-property",
+            "gradient-weight-property", "gradient-scale-property", "non-shrinking", "iterations", "restore-volume",
+            "missing-values", "solver"},
            "--operation " + o.operation_name);
   if(is_fair || is_spectrum)
     forbid(given, {"region", "metric", "curvature-weight"}, "--operation " + o.operation_name);
@@ -105,7 +109,8 @@ void check_beyond(const po::variables_map& given, const Options& o)
     throw Usage_error("--operation fair needs --region-vertices");
   const std::size_t needed = o.operation == Operation::LOW_PASS || o.operation == Operation::HIGH_PASS ? 1 : 2;
   if(o.is_band() && o.wavelengths.size() != needed)
-    throw Usage_error("--operation " + o.operation_name + " needs --wavelengths with " + (needed == 1 ? "one number" : "two numbers"));
+    throw Usage_error("--operation " + o.operation_name + " needs --wavelengths with "
+                      + (needed == 1 ? "one number" : "two numbers"));
   for(double x : o.wavelengths)
     if(!(x > 0) || !std::isfinite(x))
       throw Usage_error("--wavelengths are positive numbers");
@@ -113,22 +118,28 @@ void check_beyond(const po::variables_map& given, const Options& o)
 
 void check_operation(const po::variables_map& given, const Options& o)
 {
-  if(o.operation != Operation::FILTER && o.signal != Signal_kind::POSITION && (!o.is_band() || is_of_filter_only(o.signal)))
+  if(o.operation != Operation::FILTER && o.signal != Signal_kind::POSITION
+     && (!o.is_band() || is_of_filter_only(o.signal)))
     throw Usage_error("--operation " + o.operation_name + " contradicts --signal " + o.signal_name);
   if(o.signal == Signal_kind::CURVATURE)
   {
-    forbid(given, {"value-weight", "gradient-weight", "gradient-scale", "metric", "curvature-weight", "iterations", "constrain", "region",
-                   "value-weight-property", "gradient-weight-property", "gradient-scale-property", "border", "non-manifold", "non-shrinking"},
+    forbid(given,
+           {"value-weight", "gradient-weight", "gradient-scale", "metric", "curvature-weight", "iterations",
+            "constrain", "region", "value-weight-property", "gradient-weight-property", "gradient-scale-property",
+            "border", "non-manifold", "non-shrinking"},
            "--signal curvature, which filters nothing");
     if(o.curvature == GDP::Curvature_estimator::NORMALS)
       throw Usage_error("--curvature normals contradicts --signal curvature, which knows jets only");
   }
   if(o.operation == Operation::DENOISE)
-    forbid(given, {"gradient-weight", "gradient-scale", "metric", "curvature-weight", "value-weight-property", "gradient-weight-property",
-                   "gradient-scale-property", "hessian-weight", "non-shrinking", "restore-volume", "solver"},
+    forbid(given,
+           {"gradient-weight", "gradient-scale", "metric", "curvature-weight", "value-weight-property",
+            "gradient-weight-property", "gradient-scale-property", "hessian-weight", "non-shrinking", "restore-volume",
+            "solver"},
            "--operation denoise, which chooses from the data");
   if(o.operation == Operation::DENOISE && o.non_manifold == GDP::Border_condition::ALONG_BORDER)
-    throw Usage_error("--non-manifold along-lines contradicts --operation denoise, which leaves such lines free or fixed");
+    throw Usage_error(
+      "--non-manifold along-lines contradicts --operation denoise, which leaves such lines free or fixed");
   if(o.operation == Operation::ENHANCE_DETAILS)
     forbid(given, {"non-shrinking"}, "--operation enhance-details");
 }
@@ -137,18 +148,21 @@ void check_needs(const po::variables_map& given, const Options& o)
 {
   const bool is_filter = o.operation == Operation::FILTER, is_denoising = o.operation == Operation::DENOISE;
   const bool is_fit = o.signal == Signal_kind::NORMAL_TO_POSITION;
-  require(given, {"curvature", "jet-degree", "presmoothing-weight"}, o.has_metric() || o.signal == Signal_kind::CURVATURE,
-          "a --metric other than embedding");
+  require(given, {"curvature", "jet-degree", "presmoothing-weight"},
+          o.has_metric() || o.signal == Signal_kind::CURVATURE, "a --metric other than embedding");
   if(o.curvature == GDP::Curvature_estimator::NORMALS && is_given(given, "jet-degree"))
     throw Usage_error("--jet-degree contradicts --curvature normals");
   if(is_given(given, "metric") && !o.has_metric())
     exclude(given, "metric", "curvature-weight");
-  require(given, {"sharpening-weight", "sharpening-scale"}, o.operation == Operation::ENHANCE_DETAILS, "--operation enhance-details");
+  require(given, {"sharpening-weight", "sharpening-scale"}, o.operation == Operation::ENHANCE_DETAILS,
+          "--operation enhance-details");
   require(given, {"passes", "noise-level", "noise-scale"}, is_denoising, "--operation denoise");
   require(given, {"normal-projection-weight", "normal-fit"}, is_fit, "--signal normal-to-position");
   require(given, {"iterations"}, is_filter && !is_fit, "--operation filter and a signal other than normal-to-position");
-  require(given, {"non-shrinking"}, is_filter && !is_fit, "--operation filter and a signal other than normal-to-position");
-  require(given, {"restore-volume", "axes", "max-displacement", "keep-normals"}, o.moves_vertices(), "a signal that moves vertices");
+  require(given, {"non-shrinking"}, is_filter && !is_fit,
+          "--operation filter and a signal other than normal-to-position");
+  require(given, {"restore-volume", "axes", "max-displacement", "keep-normals"}, o.moves_vertices(),
+          "a signal that moves vertices");
   require(given, {"missing-values"}, o.signal == Signal_kind::PROPERTY || o.fills_heights(),
           "--signal with the name of a property, or --axes with one axis");
 }
@@ -219,5 +233,6 @@ void check_output_form(const Options& o, const Output_form& form)
   if(is_stl && !o.moves_vertices() && o.operation != Operation::SPECTRUM)
     throw Usage_error(o.output_name() + ": STL cannot hold the signal " + o.signal_name);
   if(form.encoding != Encoding::DEFAULT && !is_stl && !is_ply)
-    throw Usage_error(std::string(form.encoding == Encoding::ASCII ? "--ascii" : "--binary") + " needs an output of PLY or STL");
+    throw Usage_error(std::string(form.encoding == Encoding::ASCII ? "--ascii" : "--binary")
+                      + " needs an output of PLY or STL");
 }

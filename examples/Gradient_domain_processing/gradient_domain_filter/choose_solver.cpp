@@ -18,16 +18,20 @@ namespace {
 // Where it is not known, one that is large.
 double relative_gradient_weight(const Options& options)
 {
-  const bool is_known = options.area_normalization && options.gradient_weight_property.empty() && options.value_weight_property.empty();
-  const double weight = (is_known ? options.gradient_weight : (std::max)(options.gradient_weight, 1.)) / options.value_weight;
-  return options.signal == Signal_kind::NORMAL_TO_POSITION ? (std::max)(weight, options.normal_projection_weight) : weight;
+  const bool is_known =
+    options.area_normalization && options.gradient_weight_property.empty() && options.value_weight_property.empty();
+  const double weight =
+    (is_known ? options.gradient_weight : (std::max)(options.gradient_weight, 1.)) / options.value_weight;
+  return options.signal == Signal_kind::NORMAL_TO_POSITION ? (std::max)(weight, options.normal_projection_weight)
+                                                           : weight;
 }
 
 int number_of_matrices(const Options& options)
 {
   if(options.operation == Operation::ENHANCE_DETAILS)
     return 2;
-  const bool is_presmoothed = options.has_metric() && options.curvature == CGAL::Gradient_domain_processing::Curvature_estimator::NORMALS;
+  const bool is_presmoothed =
+    options.has_metric() && options.curvature == CGAL::Gradient_domain_processing::Curvature_estimator::NORMALS;
   return options.iterations * (1 + is_presmoothed + (options.signal == Signal_kind::NORMAL_TO_POSITION));
 }
 

@@ -9,7 +9,8 @@
 
 #include "Options.h"
 
-// Whether, where the choice is ours, conjugate gradients are expected to be the faster solver, or the only one that fits into memory.
+// Whether, where the choice is ours, conjugate gradients are expected to be the faster solver, or the only one that
+// fits into memory.
 bool prefers_conjugate_gradients(const Options& options, const Mesh_file& file);
 
 #endif // GRADIENT_DOMAIN_FILTER_CHOOSE_SOLVER_H

@@ -53,8 +53,9 @@ Error_code filter_signal(const Options& options, Mesh_file& file, const Filtered
   {
     Property_signal signal = property_signal(options, file);
     if(signal.is_at_faces)
-      throw Failure(options.input_name(), "--operation " + options.operation_name + " works on signals of vertices, and '"
-                                            + options.signal_name + "' is one of faces");
+      throw Failure(options.input_name(), "--operation " + options.operation_name
+                                            + " works on signals of vertices, and '" + options.signal_name
+                                            + "' is one of faces");
     for(std::vector<double>& values : signal.values)
       if(const Error_code code = filtered(values))
         return code;
@@ -84,7 +85,8 @@ Error_code fair_mesh(const Options& options, Mesh_file& file, Stage_clock& clock
   if(region.empty())
     facts.why_unchanged = "the region is empty: no vertex has another " + options.region_vertices_property + " than 0";
   facts.solver = "cholesky";
-  return GDP::fair(region, file.points, file.polygons, common_parameters(options, input, clock, GDP::Default_sparse_linear_solver()));
+  return GDP::fair(region, file.points, file.polygons,
+                   common_parameters(options, input, clock, GDP::Default_sparse_linear_solver()));
 }
 
 Error_code filter_bands(const Options& options, Mesh_file& file, Stage_clock& clock, Filter_facts& facts)
@@ -113,12 +115,14 @@ Error_code write_spectrum(const Options& options, Mesh_file& file, Filter_facts&
   Eigen::MatrixXd harmonics;
   const auto np = GDP::parameters::vertex_is_constrained_map(Array_map<char>{&input.is_constrained});
   facts.solver = "cholesky";
-  if(const Error_code code = GDP::spectrum(file.points, file.polygons, options.number_of_harmonics, eigenvalues, harmonics, np))
+  if(const Error_code code =
+       GDP::spectrum(file.points, file.polygons, options.number_of_harmonics, eigenvalues, harmonics, np))
     return code;
   facts.eigenvalues.assign(eigenvalues.data(), eigenvalues.data() + eigenvalues.size());
   for(int k = 0; k < int(harmonics.cols()); ++k)
   {
-    Column& column = file.vertex_columns.find_or_add("harmonic_" + std::to_string(k), Number_type::DOUBLE, file.points.size());
+    Column& column =
+      file.vertex_columns.find_or_add("harmonic_" + std::to_string(k), Number_type::DOUBLE, file.points.size());
     for(std::size_t v = 0; v < file.points.size(); ++v)
       column.values[v] = Eigen::Index(v) < harmonics.rows() ? harmonics(Eigen::Index(v), k) : 0.;
     column.is_changed = true;

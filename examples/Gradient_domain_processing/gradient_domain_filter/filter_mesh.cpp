@@ -21,7 +21,9 @@ Error_code filter_with_best(const Options& options, Mesh_file& file, Stage_clock
   if(!prefers_conjugate_gradients(options, file))
     return filter_with_default(options, file, clock, facts);
   const auto code = filter_with_cg(options, file, clock, facts);
-  return code == CGAL::Gradient_domain_processing::error_not_converged ? filter_with_default(options, file, clock, facts) : code;
+  return code == CGAL::Gradient_domain_processing::error_not_converged
+           ? filter_with_default(options, file, clock, facts)
+           : code;
 }
 
 // On failure the points are what they were.

@@ -29,15 +29,18 @@ struct Filter_facts
 // Does what the options ask for to the points or the columns of the file. Throws Failure if a property is missing.
 CGAL::Gradient_domain_processing::Error_code filter_mesh(const Options&, Mesh_file&, Stage_clock&, Filter_facts&);
 
-// Parts of it. With a linear solver each, for every one is a compilation of the whole package; and those that need none.
-CGAL::Gradient_domain_processing::Error_code filter_with_default(const Options&, Mesh_file&, Stage_clock&, Filter_facts&);
+// Parts of it. With a linear solver each, for every one is a compilation of the whole package; and those that need
+// none.
+CGAL::Gradient_domain_processing::Error_code filter_with_default(const Options&, Mesh_file&, Stage_clock&,
+                                                                 Filter_facts&);
 CGAL::Gradient_domain_processing::Error_code filter_with_eigen(const Options&, Mesh_file&, Stage_clock&, Filter_facts&);
 CGAL::Gradient_domain_processing::Error_code filter_with_cg(const Options&, Mesh_file&, Stage_clock&, Filter_facts&);
 CGAL::Gradient_domain_processing::Error_code denoise_mesh(const Options&, Mesh_file&, Stage_clock&, Filter_facts&);
 CGAL::Gradient_domain_processing::Error_code fair_mesh(const Options&, Mesh_file&, Stage_clock&, Filter_facts&);
 CGAL::Gradient_domain_processing::Error_code filter_bands(const Options&, Mesh_file&, Stage_clock&, Filter_facts&);
 CGAL::Gradient_domain_processing::Error_code write_spectrum(const Options&, Mesh_file&, Filter_facts&);
-CGAL::Gradient_domain_processing::Error_code filter_face_properties(const Options&, Mesh_file&, Stage_clock&, Filter_facts&);
+CGAL::Gradient_domain_processing::Error_code filter_face_properties(const Options&, Mesh_file&, Stage_clock&,
+                                                                    Filter_facts&);
 
 // NaN among the coordinates along the one axis becomes a height between those around it.
 CGAL::Gradient_domain_processing::Error_code fill_missing_heights(const Options&, Mesh_file&, Stage_clock&);

@@ -38,7 +38,8 @@ public:
   Error_code run()
   {
     const Options& o = m_options;
-    const std::vector<double>* const alpha = o.value_weight_property.empty() ? nullptr : &vertex_property(o, m_file, o.value_weight_property);
+    const std::vector<double>* const alpha =
+      o.value_weight_property.empty() ? nullptr : &vertex_property(o, m_file, o.value_weight_property);
     const std::vector<double> beta = at_faces(o, m_file, o.gradient_weight_property),
                               lambda = at_faces(o, m_file, o.gradient_scale_property);
     const auto weight_map = [](const std::vector<double>& values, double constant) {
@@ -79,13 +80,18 @@ private:
   Error_code run_on(const NamedParameters& np)
   {
     if(m_options.operation == Operation::ENHANCE_DETAILS)
-      return in_region(m_input, m_facts, [&](const auto&... faces) { return GDP::enhance_details(faces..., m_file.points, m_file.polygons, np); });
+      return in_region(m_input, m_facts, [&](const auto&... faces) {
+        return GDP::enhance_details(faces..., m_file.points, m_file.polygons, np);
+      });
     switch(m_options.signal)
     {
       case Signal_kind::NORMAL: return filter_normals(np);
       case Signal_kind::COLOR: return filter_colors(np);
       case Signal_kind::PROPERTY: return filter_properties(np);
-      default: return in_region(m_input, m_facts, [&](const auto&... faces) { return GDP::smooth(faces..., m_file.points, m_file.polygons, np); });
+      default:
+        return in_region(m_input, m_facts, [&](const auto&... faces) {
+          return GDP::smooth(faces..., m_file.points, m_file.polygons, np);
+        });
     }
   }
 
@@ -159,7 +165,8 @@ private:
   {
     typedef GDP::Principal_curvatures_and_directions<Kernel> Curvature;
     std::vector<Curvature> curvatures(m_file.points.size(), Curvature{0, 0, Vector(0, 0, 0), Vector(0, 0, 0)});
-    if(const Error_code code = GDP::estimate_curvatures(m_file.points, m_file.polygons, Array_map<Curvature>{&curvatures}, np))
+    if(const Error_code code =
+         GDP::estimate_curvatures(m_file.points, m_file.polygons, Array_map<Curvature>{&curvatures}, np))
       return code;
     std::vector<double> total;
     for(const Curvature& k : curvatures)

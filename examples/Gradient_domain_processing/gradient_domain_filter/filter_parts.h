@@ -65,10 +65,11 @@ struct Filter_input
 // A vertex property at the faces, as the mean of the corners; empty without a name.
 std::vector<double> at_faces(const Options& options, const Mesh_file& file, const std::string& name);
 
-// What a pack of named parameters holds is known when compiled, and every pack is a compilation of its own: so one pack has
-// all names, with values that change nothing where nothing is asked for.
+// What a pack of named parameters holds is known when compiled, and every pack is a compilation of its own: so one pack
+// has all names, with values that change nothing where nothing is asked for.
 template <class SparseLinearSolver>
-auto common_parameters(const Options& options, Filter_input& input, Stage_clock& clock, const SparseLinearSolver& solver)
+auto common_parameters(const Options& options, Filter_input& input, Stage_clock& clock,
+                       const SparseLinearSolver& solver)
 {
   return GDP::parameters::sparse_linear_solver(solver)
     .visitor(std::ref(clock))

@@ -11,7 +11,8 @@
 
 using CGAL::Gradient_domain_processing::Error_code;
 
-typedef CGAL::Eigen_solver_traits<Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int> > >
+typedef CGAL::Eigen_solver_traits<
+  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int> > >
   Eigen_cholesky;
 
 Error_code filter_with_eigen(const Options& options, Mesh_file& file, Stage_clock& clock, Filter_facts& facts)

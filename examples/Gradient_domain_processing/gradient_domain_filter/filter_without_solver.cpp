@@ -36,16 +36,23 @@ Error_code denoise_mesh(const Options& options, Mesh_file& file, Stage_clock& cl
     .noise_scale(options.noise_scale)
     .value_weight(options.denoising_value_weight.value_or(GDP::internal::denoising::value_weight));
   const auto run = [&](const auto& pack) {
-    return in_region(input, facts, [&](const auto&... faces) { return GDP::denoise(faces..., file.points, file.polygons, pack); });
+    return in_region(input, facts,
+                     [&](const auto&... faces) { return GDP::denoise(faces..., file.points, file.polygons, pack); });
   };
   const Error_code code = options.passes ? run(np.number_of_iterations(*options.passes)) : run(np);
   facts.solver = "cg";
-  facts.found = {{"noise_level", summary.noise_level}, {"noise_share", summary.noise_share}, {"noise_scale", summary.noise_scale},
-                 {"roughness_level", summary.roughness_level}, {"outliers", double(summary.number_of_outliers)},
+  facts.found = {{"noise_level", summary.noise_level},
+                 {"noise_share", summary.noise_share},
+                 {"noise_scale", summary.noise_scale},
+                 {"roughness_level", summary.roughness_level},
+                 {"outliers", double(summary.number_of_outliers)},
                  {"passes", double(summary.number_of_iterations)}};
   if(summary.end == GDP::Denoising_end::no_noise && facts.why_unchanged.empty())
-    facts.why_unchanged = "no noise was found" + (summary.roughness_level > 0
-      ? "; the roughness of the faces is " + rounded(summary.roughness_level) + ", which --noise-level takes for noise" : std::string());
+    facts.why_unchanged =
+      "no noise was found"
+      + (summary.roughness_level > 0 ? "; the roughness of the faces is " + rounded(summary.roughness_level)
+                                         + ", which --noise-level takes for noise"
+                                     : std::string());
   return code;
 }
 
@@ -53,7 +60,8 @@ Error_code filter_face_properties(const Options& options, Mesh_file& file, Stage
 {
   const auto refuse = [&](bool is_given, const char* option) {
     if(is_given)
-      throw Failure(options.input_name(), std::string(option) + " works on signals of vertices, and '" + options.signal_name + "' is one of faces");
+      throw Failure(options.input_name(), std::string(option) + " works on signals of vertices, and '"
+                                            + options.signal_name + "' is one of faces");
   };
   refuse(!options.constrained_property.empty(), "--constrain");
   refuse(!options.value_weight_property.empty(), "--value-weight-property");
@@ -75,7 +83,9 @@ Error_code filter_face_properties(const Options& options, Mesh_file& file, Stage
     for(int i = 0; i < options.iterations; ++i)
     {
       const Array_map<double> map{&values};
-      const auto run = [&](const auto&... faces) { return GDP::process_face_signal(faces..., file.points, file.polygons, map, map, np); };
+      const auto run = [&](const auto&... faces) {
+        return GDP::process_face_signal(faces..., file.points, file.polygons, map, map, np);
+      };
       if(const Error_code code = in_region(input, facts, run))
         return code;
     }

@@ -16,7 +16,8 @@ using namespace filter_mesh_impl;
 // The heights are a signal on the ground, that is, on the same surface without them.
 Error_code fill_missing_heights(const Options& options, Mesh_file& file, Stage_clock& clock)
 {
-  const int axis = int(std::find(options.moves_along.begin(), options.moves_along.end(), true) - options.moves_along.begin());
+  const int axis =
+    int(std::find(options.moves_along.begin(), options.moves_along.end(), true) - options.moves_along.begin());
   std::vector<double> heights;
   std::vector<char> is_missing(file.points.size(), 0);
   std::vector<Point> ground;
@@ -41,7 +42,9 @@ Error_code fill_missing_heights(const Options& options, Mesh_file& file, Stage_c
     return code;
   for(std::size_t v = 0; v < ground.size(); ++v)
     if(is_missing[v])
-      file.points[v] = Point(axis == 0 ? heights[v] : ground[v].x(), axis == 1 ? heights[v] : ground[v].y(), axis == 2 ? heights[v] : ground[v].z());
-  clock.notice(std::to_string(missing) + (missing == 1 ? " missing height was" : " missing heights were") + " filled in");
+      file.points[v] = Point(axis == 0 ? heights[v] : ground[v].x(), axis == 1 ? heights[v] : ground[v].y(),
+                             axis == 2 ? heights[v] : ground[v].z());
+  clock.notice(std::to_string(missing) + (missing == 1 ? " missing height was" : " missing heights were")
+               + " filled in");
   return GDP::ok;
 }

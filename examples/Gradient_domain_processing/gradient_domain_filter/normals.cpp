@@ -42,22 +42,24 @@ std::vector<Vector> face_normals(const std::vector<Point>& points, const Polygon
     const auto polygon = polygons[f];
     for(std::ptrdiff_t i = 2; i < std::ptrdiff_t(polygon.size()); ++i)
     {
-      const Point &a = points[std::size_t(polygon[0])], &b = points[std::size_t(polygon[i - 1])], &c = points[std::size_t(polygon[i])];
+      const Point &a = points[std::size_t(polygon[0])], &b = points[std::size_t(polygon[i - 1])],
+                  &c = points[std::size_t(polygon[i])];
       normals[f] = normals[f] + CGAL::cross_product(factor * (b - a), factor * (c - a));
     }
   }
   return normals;
 }
 
-// The corners that have a normal in common: those of a vertex, or those of one vn of OBJ. Copies of a vertex at a seam that
-// had the same normal go on having the same.
+// The corners that have a normal in common: those of a vertex, or those of one vn of OBJ. Copies of a vertex at a seam
+// that had the same normal go on having the same.
 struct Shared_normals
 {
   std::vector<int> of_corner; // -1: none
   std::vector<int> group;     // of a normal
 };
 
-Shared_normals share(const std::vector<Point>& points, const Polygons& polygons, const Columns& columns, std::vector<int> of_corner)
+Shared_normals share(const std::vector<Point>& points, const Polygons& polygons, const Columns& columns,
+                     std::vector<int> of_corner)
 {
   Shared_normals shared{std::move(of_corner), std::vector<int>(columns[0].values.size())};
   std::iota(shared.group.begin(), shared.group.end(), 0);
@@ -66,7 +68,8 @@ Shared_normals share(const std::vector<Point>& points, const Polygons& polygons,
       n = shared.group[std::size_t(n)] = shared.group[std::size_t(shared.group[std::size_t(n)])];
     return n;
   };
-  const std::vector<double>* const n[3] = {&columns.find("nx")->values, &columns.find("ny")->values, &columns.find("nz")->values};
+  const std::vector<double>* const n[3] = {&columns.find("nx")->values, &columns.find("ny")->values,
+                                           &columns.find("nz")->values};
   Value_index<6> places(points.size());
   std::vector<int> first; // normal at a place
   for(std::size_t c = 0; c < polygons.corners.size(); ++c)
@@ -75,7 +78,8 @@ Shared_normals share(const std::vector<Point>& points, const Polygons& polygons,
       continue;
     const Point& p = points[std::size_t(polygons.corners[c])];
     const std::size_t i = std::size_t(shared.of_corner[c]);
-    const std::size_t place = std::size_t(places.find_or_add({{p.x(), p.y(), p.z(), (*n[0])[i], (*n[1])[i], (*n[2])[i]}}));
+    const std::size_t place =
+      std::size_t(places.find_or_add({{p.x(), p.y(), p.z(), (*n[0])[i], (*n[1])[i], (*n[2])[i]}}));
     if(place == first.size())
       first.push_back(int(i));
     const int a = root(first[place]), b = root(int(i));
@@ -102,7 +106,8 @@ std::vector<Vector> sums(const std::vector<Vector>& of_faces, const Polygons& po
 // Whether the normals of the file look to the side from which faces are seen counter-clockwise; -1 if to the other.
 double side(const std::vector<Vector>& before, const Columns& columns)
 {
-  const std::vector<double> &x = columns.find("nx")->values, &y = columns.find("ny")->values, &z = columns.find("nz")->values;
+  const std::vector<double>&x = columns.find("nx")->values, &y = columns.find("ny")->values,
+        &z = columns.find("nz")->values;
   double sum = 0;
   for(std::size_t i = 0; i < before.size(); ++i)
     if(const double product = normalized(before[i]) * Vector(x[i], y[i], z[i]); std::isfinite(product))
@@ -131,8 +136,8 @@ std::size_t set_normals(const std::vector<Vector>& before, const std::vector<Vec
   return changed;
 }
 
-std::size_t update_shared(const std::vector<Point>& before, const std::vector<Vector> (&faces)[2], std::vector<int> of_corner,
-                          const Polygons& polygons, Columns& columns)
+std::size_t update_shared(const std::vector<Point>& before, const std::vector<Vector> (&faces)[2],
+                          std::vector<int> of_corner, const Polygons& polygons, Columns& columns)
 {
   const Shared_normals shared = share(before, polygons, columns, std::move(of_corner));
   std::vector<Vector> sum[2] = {sums(faces[0], polygons, shared), sums(faces[1], polygons, shared)};
@@ -162,7 +167,8 @@ std::size_t update_normals(const std::vector<Point>& before, Mesh_file& file)
   if(!has_any || before == file.points)
     return 0;
   const double factor = inverse_unit(before, file.polygons); // one for both, as equal normals shall be found
-  const std::vector<Vector> faces[2] = {face_normals(before, file.polygons, factor), face_normals(file.points, file.polygons, factor)};
+  const std::vector<Vector> faces[2] = {face_normals(before, file.polygons, factor),
+                                        face_normals(file.points, file.polygons, factor)};
   std::size_t changed = 0;
   if(file.vertex_columns.has_normals())
     changed += update_shared(before, faces, file.polygons.corners, file.polygons, file.vertex_columns);

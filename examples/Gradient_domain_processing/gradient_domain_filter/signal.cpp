@@ -33,7 +33,8 @@ std::vector<Three_channels> three_columns(const Columns& columns, const std::arr
   return signal;
 }
 
-void set_three_columns(const std::vector<Three_channels>& signal, const std::array<const char*, 3>& names, Columns& columns)
+void set_three_columns(const std::vector<Three_channels>& signal, const std::array<const char*, 3>& names,
+                       Columns& columns)
 {
   for(std::size_t i = 0; i < 3; ++i)
   {
@@ -50,10 +51,12 @@ const std::vector<double>& vertex_property(const Options& options, const Mesh_fi
 {
   const Column* const column = file.vertex_columns.find(name);
   if(!column)
-    throw Failure(options.input_name(), "no vertex property '" + name + "'; there are: " + names_of(file.vertex_columns));
+    throw Failure(options.input_name(),
+                  "no vertex property '" + name + "'; there are: " + names_of(file.vertex_columns));
   for(std::size_t v = 0; v < column->values.size(); ++v)
     if(!std::isfinite(column->values[v]))
-      throw Failure(options.input_name(), "the property '" + name + "' of vertex " + std::to_string(v) + " is NaN or infinite");
+      throw Failure(options.input_name(),
+                    "the property '" + name + "' of vertex " + std::to_string(v) + " is NaN or infinite");
   return column->values;
 }
 
@@ -67,16 +70,18 @@ Property_signal property_signal(const Options& options, Mesh_file& file)
   signal.is_at_faces = !has_all(file.vertex_columns);
   Columns& columns = signal.is_at_faces ? file.face_columns : file.vertex_columns;
   if(!has_all(columns))
-    throw Failure(options.input_name(), "no property '" + options.signal_name + "'; vertices have: " + names_of(file.vertex_columns)
-                                        + "; faces have: " + names_of(file.face_columns));
+    throw Failure(options.input_name(), "no property '" + options.signal_name
+                                          + "'; vertices have: " + names_of(file.vertex_columns)
+                                          + "; faces have: " + names_of(file.face_columns));
   for(const std::string& name : options.signal_properties)
   {
     signal.columns.push_back(columns.find(name));
     const std::vector<double>& values = signal.columns.back()->values;
     for(std::size_t i = 0; i < values.size(); ++i)
       if(!std::isfinite(values[i]) && !(options.has_missing_values && std::isnan(values[i])))
-        throw Failure(options.input_name(), "the property '" + name + "' of " + (signal.is_at_faces ? "face " : "vertex ") + std::to_string(i)
-                                            + (std::isnan(values[i]) ? " is NaN (--missing-values fills such in)" : " is infinite"));
+        throw Failure(options.input_name(),
+                      "the property '" + name + "' of " + (signal.is_at_faces ? "face " : "vertex ") + std::to_string(i)
+                        + (std::isnan(values[i]) ? " is NaN (--missing-values fills such in)" : " is infinite"));
   }
   for(const Column* column : signal.columns)
     signal.values.push_back(column->values);

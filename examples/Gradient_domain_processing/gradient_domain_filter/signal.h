@@ -16,8 +16,8 @@
 // A vertex property of the file, for weights and selections: it must be there and finite. Throws Failure.
 const std::vector<double>& vertex_property(const Options& options, const Mesh_file& file, const std::string& name);
 
-// The properties that are the signal, all of vertices or all of faces. Throws Failure where there are no such, or where one
-// has a value that is not finite; NaN may be, with --missing-values.
+// The properties that are the signal, all of vertices or all of faces. Throws Failure where there are no such, or where
+// one has a value that is not finite; NaN may be, with --missing-values.
 struct Property_signal
 {
   bool is_at_faces = false;
@@ -31,8 +31,8 @@ Property_signal property_signal(const Options& options, Mesh_file& file);
 
 typedef std::array<double, 3> Three_channels;
 
-// The normals as a signal: those of the file as they are, else those of the surface. Throws Failure where the corners of a
-// vertex have several.
+// The normals as a signal: those of the file as they are, else those of the surface. Throws Failure where the corners
+// of a vertex have several.
 std::vector<Three_channels> normal_signal(const Options& options, const Mesh_file& file);
 void set_normal_signal(const Options& options, const std::vector<Three_channels>& normals, Mesh_file& file);
 
@@ -42,8 +42,8 @@ std::vector<Three_channels> color_signal(const Options& options, const Mesh_file
 // Colors are clamped to what was black and white before.
 void set_color_signal(const std::vector<Three_channels>& colors, const std::vector<double>& alpha, Mesh_file& file);
 
-// As property 'curvature' and as color: blue where it is flat, over white to red; the scale is logarithmic, from the 5th to
-// the 95th percentile.
+// As property 'curvature' and as color: blue where it is flat, over white to red; the scale is logarithmic, from the
+// 5th to the 95th percentile.
 void set_curvature(const std::vector<double>& total_curvature, Mesh_file& file);
 
 // What the filter works on, as columns, to see what has changed.

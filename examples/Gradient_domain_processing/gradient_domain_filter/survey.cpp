@@ -25,7 +25,13 @@ class Surveyor
 
 public:
   Surveyor(const std::vector<Point>& points, const Polygons& polygons)
-    : m_points(points), m_polygons(polygons), m_is_on_border(points.size(), 0), m_is_at_odd_edge(points.size(), 0), m_parent(points.size()) {}
+    : m_points(points)
+    , m_polygons(polygons)
+    , m_is_on_border(points.size(), 0)
+    , m_is_at_odd_edge(points.size(), 0)
+    , m_parent(points.size())
+  {
+  }
 
   Survey survey()
   {
@@ -131,7 +137,8 @@ private:
     for(std::size_t v = 0; v < m_points.size(); ++v)
       if(m_is_on_border[v])
       {
-        const std::size_t place = std::size_t(places.find_or_add({{m_points[v].x(), m_points[v].y(), m_points[v].z()}}));
+        const std::size_t place =
+          std::size_t(places.find_or_add({{m_points[v].x(), m_points[v].y(), m_points[v].z()}}));
         if(place == first.size())
         {
           first.push_back(int(v));
@@ -221,18 +228,21 @@ std::vector<std::string> Survey::remarks(bool seams_are_welded, bool near_ones_a
   if(flipped_edges > 0)
     remarks.push_back(counted(flipped_edges, "edge", "edges") + " between faces of which one is turned over");
   if(repeated_faces > 0)
-    remarks.push_back(counted(repeated_faces, "face that is", "faces that are") + " there already, with the same vertices: such weigh twice");
+    remarks.push_back(counted(repeated_faces, "face that is", "faces that are")
+                      + " there already, with the same vertices: such weigh twice");
   if(flat_faces > 0)
     remarks.push_back(counted(flat_faces, "face", "faces") + " without area");
   if(has_one_weight && !near_ones_are_welded && components > 1 && smallest_extent < largest_extent / 10)
-    remarks.push_back(counted(components, "part", "parts") + " of very different size under one weight: the smallest is "
-                      + std::to_string(int(std::round(largest_extent / (std::max)(smallest_extent, largest_extent * 1e-6))))
-                      + " times smaller than the largest and changes most");
+    remarks.push_back(
+      counted(components, "part", "parts") + " of very different size under one weight: the smallest is "
+      + std::to_string(int(std::round(largest_extent / (std::max)(smallest_extent, largest_extent * 1e-6))))
+      + " times smaller than the largest and changes most");
   if(lone_faces > 0 && faces > 1 && !near_ones_are_welded)
     remarks.push_back(counted(lone_faces, "face that is", "faces that are") + " connected to no other"
                       + (lone_faces > faces / 2 ? ": does a --weld-tolerance join them?" : ""));
   if(unused_vertices > 0)
-    remarks.push_back(counted(unused_vertices, "vertex without a face stays as it is", "vertices without a face stay as they are"));
+    remarks.push_back(
+      counted(unused_vertices, "vertex without a face stays as it is", "vertices without a face stay as they are"));
   return remarks;
 }
 

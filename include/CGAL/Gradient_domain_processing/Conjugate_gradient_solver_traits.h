@@ -1,11 +1,18 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_CONJUGATE_GRADIENT_SOLVER_TRAITS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_CONJUGATE_GRADIENT_SOLVER_TRAITS_H
+
+#include <CGAL/license/Gradient_domain_processing.h>
 
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/multigrid/Conjugate_gradient.h>
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/Any_linear_solver.h>
@@ -27,19 +34,22 @@ namespace Gradient_domain_processing {
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * solves symmetric positive definite systems by conjugate gradients, preconditioned by an algebraic multigrid method (smoothed
- * aggregation). Memory grows linearly with the mesh: it is for meshes whose Cholesky factor does not fit in memory. The number of
- * iterations grows slowly with the mesh, and with strong anisotropy; vertices that slivers bind to their neighbors are eliminated
- * beforehand. Where several signals are processed with one
+ * solves symmetric positive definite systems by conjugate gradients, preconditioned by an algebraic multigrid method
+ * (smoothed aggregation). Memory grows linearly with the mesh: it is for meshes whose Cholesky factor does not fit in
+ * memory. The number of iterations grows slowly with the mesh, and with strong anisotropy; vertices that slivers bind
+ * to their neighbors are eliminated beforehand. Where several signals are processed with one
  * matrix, the default solver is faster.
  *
- * The iteration starts from zero. As this package solves for the change of a signal, that is a start from the signal itself.
+ * The iteration starts from zero. As this package solves for the change of a signal, that is a start from the signal
+ * itself.
  *
- * A solution is accepted when \f$ \|r\|_B \leq \tau \|b\|_B \f$ for the residual \f$ r \f$ and the right-hand side \f$ b \f$, with
- * \f$ \tau \f$ the tolerance and \f$ B \approx A^{-1} \f$ the preconditioner. This is about the error of the solution in the norm of the
- * energy, relative to the solution, as far as \f$ B \f$ is good. Where the maximum number of iterations does not reach it, functions of
- * this package solve by `Default_sparse_linear_solver` and tell the visitor in a notice; with more than a million degrees of
- * freedom, for which a factor may be too large, they return `error_not_converged`.
+ * A solution is accepted when \f$ \|r\|_B \leq \tau \|b\|_B \f$ for the residual \f$ r \f$ and the right-hand side \f$
+ * b \f$, with
+ * \f$ \tau \f$ the tolerance and \f$ B \approx A^{-1} \f$ the preconditioner. This is about the error of the solution
+ * in the norm of the energy, relative to the solution, as far as \f$ B \f$ is good. Where the maximum number of
+ * iterations does not reach it, functions of this package solve by `Default_sparse_linear_solver` and tell the visitor
+ * in a notice; with more than a million degrees of freedom, for which a factor may be too large, they return
+ * `error_not_converged`.
  *
  * Copies share their state: the object whose copy is passed to a function has the numbers of iterations afterwards.
  *
@@ -86,8 +96,8 @@ public:
   /// \name Operations
   /// @{
 
-  /// prepares the solution of \f$ A X = B \f$. The matrix is copied. Returns `false` if a diagonal entry is not positive: the matrix is
-  /// not positive definite then. \f$ D \f$ becomes 1.
+  /// prepares the solution of \f$ A X = B \f$. The matrix is copied. Returns `false` if a diagonal entry is not
+  /// positive: the matrix is not positive definite then. \f$ D \f$ becomes 1.
   bool factor(const Matrix& A, NT& D)
   {
     CGAL_precondition(A.row_dimension() == A.column_dimension());
@@ -139,7 +149,11 @@ public:
   static constexpr bool is_iterative = true;
   static constexpr bool needs_order = false;
 
-  explicit Linear_solver(const Conjugate_gradient_solver_traits<ConcurrencyTag>& traits) : m_traits(traits), m_claim(&m_traits.solver()) {}
+  explicit Linear_solver(const Conjugate_gradient_solver_traits<ConcurrencyTag>& traits)
+    : m_traits(traits)
+    , m_claim(&m_traits.solver())
+  {
+  }
 
   void merge_small_fronts() {}
 
@@ -171,7 +185,8 @@ public:
 };
 
 #ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
-extern template std::unique_ptr<Any_linear_solver> any_linear_solver(const Conjugate_gradient_solver_traits<Parallel_if_available_tag>&);
+extern template std::unique_ptr<Any_linear_solver> any_linear_solver(
+  const Conjugate_gradient_solver_traits<Parallel_if_available_tag>&);
 #endif
 
 } // namespace internal

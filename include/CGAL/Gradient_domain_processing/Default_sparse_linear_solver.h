@@ -1,11 +1,18 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_DEFAULT_SPARSE_LINEAR_SOLVER_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_DEFAULT_SPARSE_LINEAR_SOLVER_H
+
+#include <CGAL/license/Gradient_domain_processing.h>
 
 #include <CGAL/Eigen_solver_traits.h>
 
@@ -32,7 +39,8 @@ typedef unspecified_type Default_sparse_linear_solver;
 typedef Eigen_solver_traits<Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> >
   Default_sparse_linear_solver;
 #else
-typedef Eigen_solver_traits<Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int> > >
+typedef Eigen_solver_traits<
+  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int> > >
   Default_sparse_linear_solver;
 #endif
 

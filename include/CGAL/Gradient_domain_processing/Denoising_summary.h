@@ -1,11 +1,18 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_DENOISING_SUMMARY_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_DENOISING_SUMMARY_H
+
+#include <CGAL/license/Gradient_domain_processing.h>
 
 #include <cstddef>
 
@@ -51,10 +58,12 @@ inline const char* get_denoising_end_message(Denoising_end end)
  */
 struct Denoising_summary
 {
-  double noise_level = 0;             ///< The noise of the face normals, in radians, named or estimated: the largest of all components.
+  /// The noise of the face normals, in radians, named or estimated: the largest of all components.
+  double noise_level = 0;
   double noise_share = 0;             ///< The part of the roughness that is noise rather than detail, from 0 to 1.
   double noise_scale = 0;             ///< Over how many mean edge lengths the noise is correlated; 0 where it is not.
-  double roughness_level = 0;         ///< What `noise_level` would be if all of the roughness were noise: a value to name where none was found.
+  /// What `noise_level` would be if all of the roughness were noise: a value to name where none was found.
+  double roughness_level = 0;
   std::size_t number_of_outliers = 0; ///< Vertices whose input position was given no weight.
   unsigned int number_of_iterations = 0; ///< The passes that were done.
   Denoising_end end = Denoising_end::no_noise; ///< Why there were no more.

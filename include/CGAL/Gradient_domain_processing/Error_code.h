@@ -1,11 +1,18 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_ERROR_CODE_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_ERROR_CODE_H
+
+#include <CGAL/license/Gradient_domain_processing.h>
 
 namespace CGAL {
 namespace Gradient_domain_processing {
@@ -13,27 +20,33 @@ namespace Gradient_domain_processing {
 /*!
  * \ingroup PkgGradientDomainProcessingEnums
  *
- * What a function of this package answers. Whenever it is not `ok`, the mesh and all output property maps are exactly as
- * they were before the call.
+ * What a function of this package answers. Whenever it is not `ok`, the mesh and all output property maps are exactly
+ * as they were before the call.
  *
- * The names are in small letters because some of those in capitals are macros of `<windows.h>` or `<curses.h>`. Those in capitals
- * (`OK`, `ERROR_EMPTY_MESH`, ...) are constants of the same values, wherever no macro has taken them.
+ * The names are in small letters because some of those in capitals are macros of `<windows.h>` or `<curses.h>`. Those
+ * in capitals (`OK`, `ERROR_EMPTY_MESH`, ...) are constants of the same values, wherever no macro has taken them.
  */
 enum [[nodiscard]] Error_code
 {
   ok,                               ///< Success.
   error_empty_mesh,                 ///< The mesh has no face.
-  error_non_triangular_mesh,        ///< A face is not a triangle where one is needed, such as for a metric tensor of your own; or it has fewer than three corners.
+  /// A face is not a triangle where one is needed, such as for a metric tensor of your own; or it has fewer than three
+  /// corners.
+  error_non_triangular_mesh,
   error_invalid_point,              ///< A coordinate is NaN, infinite, or larger than 1e150.
   error_invalid_signal,             ///< A value of the input signal is NaN or infinite.
   error_invalid_target,             ///< A target gradient or a given normal or curvature is NaN or infinite.
   error_invalid_weight,             ///< A weight is negative, NaN or infinite.
   error_invalid_metric,             ///< A metric tensor is not symmetric positive definite.
   error_invalid_parameter,          ///< Another parameter is out of its range.
-  error_invalid_region,             ///< A face or vertex of the region is none of the mesh: removed, null or out of range.
+  /// A face or vertex of the region is none of the mesh: removed, null or out of range.
+  error_invalid_region,
   error_invalid_index,              ///< A vertex index of a face is out of range, or two vertices have the same index.
-  error_unconstrained,              ///< The value weight is zero on a component (of the faces with a gradient weight) without a constrained vertex: the solution is not unique.
-  error_no_volume,                  ///< Restoring the volume was asked for, but a component is open, has a constraint, or has collapsed.
+  /// The value weight is zero on a component (of the faces with a gradient weight) without a constrained vertex: the
+  /// solution is not unique.
+  error_unconstrained,
+  /// Restoring the volume was asked for, but a component is open, has a constraint, or has collapsed.
+  error_no_volume,
   error_cannot_solve_linear_system, ///< The linear solver failed: its factorization broke down or ran out of memory.
   error_not_converged,              ///< An iterative linear solver did not reach its tolerance.
   error_result_out_of_range,        ///< The result overflows the number type of the output.

@@ -1,11 +1,18 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_GRADIENT_DOMAIN_SOLVER_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_GRADIENT_DOMAIN_SOLVER_H
+
+#include <CGAL/license/Gradient_domain_processing.h>
 
 #include <CGAL/Gradient_domain_processing/Default_sparse_linear_solver.h>
 #include <CGAL/Gradient_domain_processing/Error_code.h>
@@ -27,25 +34,29 @@ namespace Gradient_domain_processing {
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * prepares the gradient-domain energy of a mesh once and minimizes it for as many signals and target gradients as wanted:
+ * prepares the gradient-domain energy of a mesh once and minimizes it for as many signals and target gradients as
+ * wanted:
  *
- * \f[ E(g) = \alpha \|f - g\|^2 + \beta \|v - \nabla g\|^2, \qquad (\alpha M + \beta S)\, g = \alpha M f + \beta D v \f]
+ * \f[ E(g) = \alpha \|f - g\|^2 + \beta \|v - \nabla g\|^2, \qquad (\alpha M + \beta S)\, g = \alpha M f + \beta D v
+ * \f]
  *
  * (paper, equations 1 and 2, and section 2.2). Every function of this package is made of it.
  *
- * Mesh, weights and metric are copied on construction; later changes of the mesh are not seen. What is computed is kept:
- * - the order of the degrees of freedom, the sparsity pattern and the symbolic factorization: once for the constrained vertices;
+ * Mesh, weights and metric are copied on construction; later changes of the mesh are not seen. What is computed is
+ * kept:
+ * - the order of the degrees of freedom, the sparsity pattern and the symbolic factorization: once for the constrained
+ *   vertices;
  * - the numeric factorization: once for every metric, \f$ \alpha \f$ and \f$ \beta \f$, when it is first needed;
  * - a new \f$ \lambda \f$, signal or target costs one right-hand side and one back-substitution for all channels.
  *
- * The solution is found as the change \f$ g - f \f$ of the signal: a signal that need not change does not, and rounding errors
- * are relative to the change. Vertices without a face keep their values, whatever these are.
+ * The solution is found as the change \f$ g - f \f$ of the signal: a signal that need not change does not, and rounding
+ * errors are relative to the change. Vertices without a face keep their values, whatever these are.
  *
- * A solver can be moved, not copied: a factorization has one owner. Where two are given copies of one linear solver that share a state,
- * each notices that the other has replaced its factor, and makes it again.
+ * A solver can be moved, not copied: a factorization has one owner. Where two are given copies of one linear solver
+ * that share a state, each notices that the other has replaced its factor, and makes it again.
  *
- * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`; faces that are not triangles take part through a virtual vertex
- *         inside of them. For soups, see `make_gradient_domain_solver()`.
+ * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`; faces that are not triangles take part
+ *         through a virtual vertex inside of them. For soups, see `make_gradient_domain_solver()`.
  * \tparam SparseLinearSolver a model of `SparseLinearAlgebraWithFactorTraits_d`. For an `Eigen_solver_traits` the
  *         symbolic analysis is kept and all channels are solved together.
  *
@@ -222,21 +233,22 @@ public:
   }
 
   /*!
-   * prepares a region of the mesh: a range of faces. Vertices that have a face outside of it keep their values, to the bit.
-   * Time and memory are proportional to the region (with `area_normalization`, the area of the mesh is summed up as well).
-   * An empty region is no error.
+   * prepares a region of the mesh: a range of faces. Vertices that have a face outside of it keep their values, to the
+   * bit. Time and memory are proportional to the region (with `area_normalization`, the area of the mesh is summed up
+   * as well). An empty region is no error.
    *
    * \param region a range of `face_descriptor`; `error_invalid_region` where one is none of the mesh
    * \param tm the mesh
    * \param np as above
    */
   template <class FaceRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
-  Gradient_domain_solver(const FaceRange& region, const TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
+  Gradient_domain_solver(const FaceRange& region, const TriangleMesh& tm,
+                         const CGAL_NP_CLASS& np = parameters::default_values())
     : Base(np)
   {
     this->initialize(tm, np, [&](internal::Reading& reading) {
-      return internal::read_region(region, tm, internal::point_map(tm, np), np, reading, m_elements, m_filter.system.mesh,
-                                   m_has_face_outside);
+      return internal::read_region(region, tm, internal::point_map(tm, np), np, reading, m_elements,
+                                   m_filter.system.mesh, m_has_face_outside);
     });
   }
 
@@ -260,8 +272,8 @@ public:
 
   /// @}
   /// \name Weights, Constraints and Metric
-  /// A new value or gradient weight, or a new metric, costs one numeric factorization with the next solution; new constraints
-  /// cost an analysis as well. Where one of these functions fails or throws, all is as it was.
+  /// A new value or gradient weight, or a new metric, costs one numeric factorization with the next solution; new
+  /// constraints cost an analysis as well. Where one of these functions fails or throws, all is as it was.
   /// @{
 
   /// sets \f$ \alpha \f$, at all vertices.
@@ -274,7 +286,8 @@ public:
   Error_code set_gradient_weight(double beta)
   {
     const double unit = m_filter.squared_length_unit;
-    return this->set_weight(beta, [unit](internal::Energy_weights& weights, double w) { weights.set_gradient(w * unit); });
+    return this->set_weight(beta,
+                            [unit](internal::Energy_weights& weights, double w) { weights.set_gradient(w * unit); });
   }
 
   /// sets \f$ \lambda \f$, on all faces. Costs nothing.
@@ -286,7 +299,8 @@ public:
     return ok;
   }
 
-  /// sets all weights as the named parameters say, those of vertices and faces included; a weight that is not among them gets its default.
+  /// sets all weights as the named parameters say, those of vertices and faces included; a weight that is not among
+  /// them gets its default.
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code set_weights_from_parameters(const CGAL_NP_CLASS& np = parameters::default_values())
   {
@@ -312,7 +326,8 @@ public:
 
   /// sets the metric of every face.
   /// \tparam FaceMetricMap a model of `ReadablePropertyMap` with key `face_descriptor` and value `Triangle_metric`
-  /// \return `error_invalid_metric` where a tensor is not positive definite, `error_non_triangular_mesh` where a face is not a triangle
+  /// \return `error_invalid_metric` where a tensor is not positive definite, `error_non_triangular_mesh` where a face
+  ///         is not a triangle
   template <class FaceMetricMap>
   Error_code set_metric(FaceMetricMap map)
   {
@@ -340,24 +355,27 @@ public:
   /*!
    * filters a signal: \f$ v = \lambda \nabla f \f$.
    *
-   * \param in the signal \f$ f \f$: a model of `ReadablePropertyMap` with key `vertex_descriptor` and any value that `Signal_traits` knows
+   * \param in the signal \f$ f \f$: a model of `ReadablePropertyMap` with key `vertex_descriptor` and any value that
+   *        `Signal_traits` knows
    * \param out the result \f$ g \f$: a model of `WritablePropertyMap` with a value of the same dimension; may be `in`
-   * \param number_of_iterations how often the filter is applied, to the last result each time; `error_invalid_parameter` if negative
+   * \param number_of_iterations how often the filter is applied, to the last result each time;
+   *        `error_invalid_parameter` if negative
    */
   template <class InMap, class OutMap>
   Error_code filter(InMap in, OutMap out, int number_of_iterations = 1)
   {
-    return m_error != ok ? m_error : checked(internal::filter_signal(in, out, number_of_iterations, this->m_may_values_be_missing,
-                                                                     m_elements, m_filter));
+    return m_error != ok ? m_error
+                         : checked(internal::filter_signal(in, out, number_of_iterations, this->m_may_values_be_missing,
+                                                           m_elements, m_filter));
   }
 
   /*!
    * finds the signal whose gradients are closest to given ones.
    *
    * \param in the signal \f$ f \f$ whose values are kept with weight \f$ \alpha \f$
-   * \param gradients the target \f$ v \f$: a model of `ReadablePropertyMap` with key `face_descriptor` whose value is a range of
-   *        as many `Vector_3` as the signal has channels, such as `std::array<Vector_3, 3>` for positions; in units of the signal per length.
-   *        Only the tangential part of each counts.
+   * \param gradients the target \f$ v \f$: a model of `ReadablePropertyMap` with key `face_descriptor` whose value is a
+   *        range of as many `Vector_3` as the signal has channels, such as `std::array<Vector_3, 3>` for positions; in
+   *        units of the signal per length. Only the tangential part of each counts.
    * \param out the result; may be `in`
    */
   template <class InMap, class FaceGradientMap, class OutMap>

@@ -1,11 +1,18 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_SIGNAL_TRAITS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_SIGNAL_TRAITS_H
+
+#include <CGAL/license/Gradient_domain_processing.h>
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Point_2.h>
@@ -28,9 +35,10 @@ namespace Gradient_domain_processing {
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * says how the values of a signal are made of numbers, so that they can be filtered channel by channel. It is there for number
- * types, `Point_2`, `Point_3`, `Vector_2`, `Vector_3`, `CGAL::IO::Color`, `std::array` and Eigen vectors of fixed size.
- * Integers are rounded to the nearest and clamped to their range, never wrapped. Specialize it for a value type of your own:
+ * says how the values of a signal are made of numbers, so that they can be filtered channel by channel. It is there for
+ * number types, `Point_2`, `Point_3`, `Vector_2`, `Vector_3`, `CGAL::IO::Color`, `std::array` and Eigen vectors of
+ * fixed size. Integers are rounded to the nearest and clamped to their range, never wrapped. Specialize it for a value
+ * type of your own:
  *
  * \code
  * template <> struct CGAL::Gradient_domain_processing::Signal_traits<My_value>

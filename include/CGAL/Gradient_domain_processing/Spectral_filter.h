@@ -1,11 +1,18 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_SPECTRAL_FILTER_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_SPECTRAL_FILTER_H
+
+#include <CGAL/license/Gradient_domain_processing.h>
 
 #include <CGAL/Gradient_domain_processing/internal/spectrum/Rational_filter.h>
 
@@ -18,10 +25,11 @@ namespace Gradient_domain_processing {
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * The transfer function of `filter_spectrum()`: by what factor each wave of a signal is multiplied. A wave of length \f$ \ell \f$ has the
- * eigenvalue \f$ \mu = (2 \pi / \ell)^2 \f$. These are Butterworth's: with \f$ z \f$ the ratio of \f$ \mu \f$ to that of the cut-off wavelength, a
- * low-pass filter of order \f$ n \f$ has \f$ h = 1 / (1 + z^n) \f$: a half at the cut-off, at a wavelength twice as long
- * within \f$ 4^{-n} \f$ of one, at half of it within \f$ 4^{-n} \f$ of zero, and flat at both ends. They do not depend on the resolution of the mesh, and
+ * The transfer function of `filter_spectrum()`: by what factor each wave of a signal is multiplied. A wave of length
+ * \f$ \ell \f$ has the eigenvalue \f$ \mu = (2 \pi / \ell)^2 \f$. These are Butterworth's: with \f$ z \f$ the ratio of
+ * \f$ \mu \f$ to that of the cut-off wavelength, a low-pass filter of order \f$ n \f$ has \f$ h = 1 / (1 + z^n) \f$: a
+ * half at the cut-off, at a wavelength twice as long within \f$ 4^{-n} \f$ of one, at half of it within \f$ 4^{-n} \f$
+ * of zero, and flat at both ends. They do not depend on the resolution of the mesh, and
  * \f$ h(0) \f$ is exactly 1 or 0.
  *
  * Wavelengths are in the unit of the mesh, positive and finite.
@@ -41,7 +49,8 @@ public:
   /// keeps waves that are shorter than the cut-off.
   static Spectral_filter high_pass(double wavelength, int order = 4)
   {
-    return {internal::Rational_filter::high_pass(eigenvalue(wavelength), order), is_wavelength(wavelength) && order > 0};
+    return {internal::Rational_filter::high_pass(eigenvalue(wavelength), order),
+            is_wavelength(wavelength) && order > 0};
   }
 
   /// keeps waves between the two wavelengths, in any order.

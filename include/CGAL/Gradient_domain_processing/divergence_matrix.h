@@ -1,11 +1,18 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_DIVERGENCE_MATRIX_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_DIVERGENCE_MATRIX_H
+
+#include <CGAL/license/Gradient_domain_processing.h>
 
 #include <CGAL/Gradient_domain_processing/internal/energy/matrices.h>
 
@@ -46,9 +53,9 @@ Error_code divergence_matrix(const Surface& surface, const NamedParameters& np, 
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * assembles the divergence matrix \f$ D_{ij} = \int \langle \nabla \phi_i, \omega_j \rangle \f$ (paper, section 2.2 and appendix A.3): on a
- * triangle \f$ D = a\, G^T g^{-1} \f$ with its area \f$ a \f$. It takes covectors on the faces, as `gradient_matrix()` makes
- * them, to the right-hand side of the energy's system.
+ * assembles the divergence matrix \f$ D_{ij} = \int \langle \nabla \phi_i, \omega_j \rangle \f$ (paper, section 2.2 and
+ * appendix A.3): on a triangle \f$ D = a\, G^T g^{-1} \f$ with its area \f$ a \f$. It takes covectors on the faces, as
+ * `gradient_matrix()` makes them, to the right-hand side of the energy's system.
  * A tangent vector \f$ w \f$ in space is the covector \f$ (\langle w, t_1 \rangle, \langle w, t_2 \rangle) \f$.
  *
  * \param tm the triangle mesh
@@ -67,12 +74,13 @@ Error_code divergence_matrix(const TriangleMesh& tm, Eigen::SparseMatrix<double>
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * does so for a soup: points and triangles connected in any way. Rows and columns are numbered by the indices of points and triangles; there is no `vertex_point_map`, and
- * nothing is welded.
+ * does so for a soup: points and triangles connected in any way. Rows and columns are numbered by the indices of points
+ * and triangles; there is no `vertex_point_map`, and nothing is welded.
  */
 template <class PointRange, class TriangleRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
           class = internal::Enable_if_range<const PointRange>, class = internal::Enable_if_range<const TriangleRange> >
-Error_code divergence_matrix(const PointRange& points, const TriangleRange& triangles, Eigen::SparseMatrix<double>& divergence,
+Error_code divergence_matrix(const PointRange& points, const TriangleRange& triangles,
+                             Eigen::SparseMatrix<double>& divergence,
                              const CGAL_NP_CLASS& np = parameters::default_values())
 {
   const internal::Polygon_soup<const PointRange, TriangleRange> soup{points, triangles};

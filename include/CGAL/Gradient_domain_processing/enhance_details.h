@@ -1,11 +1,18 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_ENHANCE_DETAILS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_ENHANCE_DETAILS_H
+
+#include <CGAL/license/Gradient_domain_processing.h>
 
 #include <CGAL/Gradient_domain_processing/Gradient_domain_solver.h>
 #include <CGAL/Gradient_domain_processing/internal/filtering/move_positions.h>
@@ -24,7 +31,8 @@ Error_code set_sharpening_metric(Solver& solver, const NamedParameters& np)
     return solver.set_embedding_metric();
   else
     return solver.checked(set_curvature_metric(parameter(np, sharpening_metric_kind, Curvature_metric_kind::EMBEDDING),
-                                               parameter(np, sharpening_curvature_weight, 0.02), np, solver.elements(), solver.arrays()));
+                                               parameter(np, sharpening_curvature_weight, 0.02), np, solver.elements(),
+                                               solver.arrays()));
 }
 
 template <class Solver, class PointMap, class NamedParameters>
@@ -54,15 +62,15 @@ Error_code enhance_details(Solver solver, PointMap point_map, const NamedParamet
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * enhances the details of a noisy mesh in two passes: the first smooths the noise away, the second sharpens what is left with
- * a narrower filter (paper, section 2.4 and Figure 4). The passes share order and symbolic factorization.
+ * enhances the details of a noisy mesh in two passes: the first smooths the noise away, the second sharpens what is
+ * left with a narrower filter (paper, section 2.4 and Figure 4). The passes share order and symbolic factorization.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, with a vertex point map that can be written
  *
  * \param tm the triangle mesh; its points are moved
- * \param np all the \ref bgl_namedparameters "Named Parameters" of `smooth()` but `number_of_iterations`: they describe the first
- *        pass, which an edge-aware metric makes keep sharp details (constraints and `vertex_value_weight_map` hold for both passes,
- *        `face_gradient_weight_map` and `face_gradient_scale_map` for the first); and
+ * \param np all the \ref bgl_namedparameters "Named Parameters" of `smooth()` but `number_of_iterations`: they describe
+ *        the first pass, which an edge-aware metric makes keep sharp details (constraints and `vertex_value_weight_map`
+ *        hold for both passes, `face_gradient_weight_map` and `face_gradient_scale_map` for the first); and
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{sharpening_weight}
@@ -98,17 +106,20 @@ Error_code enhance_details(TriangleMesh& tm, const CGAL_NP_CLASS& np = parameter
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * does so to a region of the mesh. Vertices that have a face outside of the region do not move, to the bit. Time and memory are
- * proportional to the region.
+ * does so to a region of the mesh. Vertices that have a face outside of the region do not move, to the bit. Time and
+ * memory are proportional to the region.
  *
  * \param region a range of `face_descriptor`; may be empty
  * \param tm the mesh
  * \param np as above
  */
-template <class FaceRange, class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_mesh<TriangleMesh> >
-Error_code enhance_details(const FaceRange& region, TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
+template <class FaceRange, class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_mesh<TriangleMesh> >
+Error_code enhance_details(const FaceRange& region, TriangleMesh& tm,
+                           const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::enhance_details(make_gradient_domain_solver(region, tm, np), internal::writable_point_map(tm, np), np);
+  return internal::enhance_details(make_gradient_domain_solver(region, tm, np), internal::writable_point_map(tm, np),
+                                   np);
 }
 
 /*!
@@ -120,10 +131,13 @@ Error_code enhance_details(const FaceRange& region, TriangleMesh& tm, const CGAL
  * \param polygons a model of `RandomAccessContainer` whose value is a range of indices of points
  * \param np as above; property maps have indices, of type `std::size_t`, as keys
  */
-template <class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_range<const PolygonRange>, class = void>
-Error_code enhance_details(PointRange& points, const PolygonRange& polygons, const CGAL_NP_CLASS& np = parameters::default_values())
+template <class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_range<const PolygonRange>, class = void>
+Error_code enhance_details(PointRange& points, const PolygonRange& polygons,
+                           const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::enhance_details(make_gradient_domain_solver(points, polygons, np), internal::writable_point_map(points), np);
+  return internal::enhance_details(make_gradient_domain_solver(points, polygons, np),
+                                   internal::writable_point_map(points), np);
 }
 
 /*!
@@ -131,10 +145,13 @@ Error_code enhance_details(PointRange& points, const PolygonRange& polygons, con
  *
  * does so to a region of a soup, a range of indices of polygons.
  */
-template <class FaceRange, class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_range<const PolygonRange> >
-Error_code enhance_details(const FaceRange& region, PointRange& points, const PolygonRange& polygons, const CGAL_NP_CLASS& np = parameters::default_values())
+template <class FaceRange, class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_range<const PolygonRange> >
+Error_code enhance_details(const FaceRange& region, PointRange& points, const PolygonRange& polygons,
+                           const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::enhance_details(make_gradient_domain_solver(region, points, polygons, np), internal::writable_point_map(points), np);
+  return internal::enhance_details(make_gradient_domain_solver(region, points, polygons, np),
+                                   internal::writable_point_map(points), np);
 }
 
 } // namespace Gradient_domain_processing

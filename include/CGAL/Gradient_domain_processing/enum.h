@@ -1,11 +1,18 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_ENUM_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_ENUM_H
+
+#include <CGAL/license/Gradient_domain_processing.h>
 
 namespace CGAL {
 namespace Gradient_domain_processing {
@@ -13,13 +20,16 @@ namespace Gradient_domain_processing {
 /*!
  * \ingroup PkgGradientDomainProcessingEnums
  *
- * How principal curvatures \f$ \kappa_1, \kappa_2 \f$ (convex positive) stretch the metric of a face (paper, section 2.3).
- * \f$ s_i \f$ multiplies squared length along the \f$ i \f$-th principal direction; \f$ \epsilon \f$ is the curvature weight.
+ * How principal curvatures \f$ \kappa_1, \kappa_2 \f$ (convex positive) stretch the metric of a face (paper, section
+ * 2.3).
+ * \f$ s_i \f$ multiplies squared length along the \f$ i \f$-th principal direction; \f$ \epsilon \f$ is the curvature
+ * weight.
  */
 enum class Curvature_metric_kind
 {
   EMBEDDING,       ///< \f$ s_i = 1 \f$: the metric of the embedding.
-  EDGE_AWARE,      ///< \f$ s_i = 1 + \epsilon (\kappa_1^2 + \kappa_2^2) \f$: less filtering where the surface is curved.
+  /// \f$ s_i = 1 + \epsilon (\kappa_1^2 + \kappa_2^2) \f$: less filtering where the surface is curved.
+  EDGE_AWARE,
   ANISOTROPIC,     ///< \f$ s_i = 1 + \epsilon \kappa_i^2 \f$: filtering along edges, less across them.
   PRESERVE_CONVEX, ///< \f$ s_i = 1 + \epsilon \max(0, \kappa_i)^2 \f$: convex features are kept.
   PRESERVE_CONCAVE ///< \f$ s_i = 1 + \epsilon \min(0, \kappa_i)^2 \f$: concave features are kept.
@@ -43,8 +53,12 @@ enum class Curvature_estimator
  */
 enum class Normal_fit_kind
 {
-  FACES, ///< Every face is turned as the wanted normals at its corners are against those of the mesh. The mesh's own normals change nothing.
-  EDGES  ///< Every edge shall be orthogonal to the sum of the wanted normals at its ends: the form of the paper's authors. Creases become round.
+  /// Every face is turned as the wanted normals at its corners are against those of the mesh. The mesh's own normals
+  /// change nothing.
+  FACES,
+  /// Every edge shall be orthogonal to the sum of the wanted normals at its ends: the form of the paper's authors.
+  /// Creases become round.
+  EDGES
 };
 
 /*!
@@ -54,9 +68,12 @@ enum class Normal_fit_kind
  */
 enum class Border_condition
 {
-  FREE,        ///< The natural condition of the energy: border vertices are filtered like all others, and a border of positions shrinks.
+  /// The natural condition of the energy: border vertices are filtered like all others, and a border of positions
+  /// shrinks.
+  FREE,
   FIXED,       ///< Border vertices keep their values, to the bit.
-  ALONG_BORDER ///< Border vertices are filtered first, by the same energy on the border curves alone; the interior then follows.
+  /// Border vertices are filtered first, by the same energy on the border curves alone; the interior then follows.
+  ALONG_BORDER
 };
 
 } // namespace Gradient_domain_processing

@@ -1,11 +1,18 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_FAIR_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_FAIR_H
+
+#include <CGAL/license/Gradient_domain_processing.h>
 
 #include <CGAL/Gradient_domain_processing/Gradient_domain_solver.h>
 #include <CGAL/Gradient_domain_processing/Hessian_kind.h>
@@ -22,7 +29,8 @@ namespace Gradient_domain_processing {
 
 namespace internal {
 
-// Constrains what is not in the region, beside what the caller has. The middle of a polygon moves with any of its corners.
+// Constrains what is not in the region, beside what the caller has. The middle of a polygon moves with any of its
+// corners.
 template <class VertexRange, class Solver>
 Error_code constrain_outside(const VertexRange& region, Solver& solver)
 {
@@ -63,7 +71,8 @@ Error_code fair_positions(const VertexRange& region, Solver solver, PointMap poi
   for(char is_constrained : system.is_constrained)
     is_free.push_back(!is_constrained);
   return move_positions(solver, point_map, np, [&](const auto& end_of_pass) -> Error_code {
-    if(const Error_code code = fair_patch(system.mesh, is_free, Hessian_kind::TRACE_FREE_HESSIAN, iterations, 1e-3, system.parallel))
+    if(const Error_code code =
+         fair_patch(system.mesh, is_free, Hessian_kind::TRACE_FREE_HESSIAN, iterations, 1e-3, system.parallel))
       return code;
     return end_of_pass();
   });
@@ -74,13 +83,13 @@ Error_code fair_positions(const VertexRange& region, Solver solver, PointMap poi
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * moves the vertices of a region so that the surface goes on smoothly into it from its surroundings: what was there does not count. It
- * turns the flat triangles of a filled hole into a patch without a crease at its border. A hole in a sphere becomes a part of the sphere again,
- * one in a plane a part of the plane.
+ * moves the vertices of a region so that the surface goes on smoothly into it from its surroundings: what was there
+ * does not count. It turns the flat triangles of a filled hole into a patch without a crease at its border. A hole in a
+ * sphere becomes a part of the sphere again, one in a plane a part of the plane.
  *
- * The positions minimize the trace-free part of their squared Hessian, `Hessian_kind::TRACE_FREE_HESSIAN`, under the metric of the
- * surface itself, which is solved a few times, for the metric to follow the shape. The vertices around the region are constrained, and the triangles
- * around them tell the slope.
+ * The positions minimize the trace-free part of their squared Hessian, `Hessian_kind::TRACE_FREE_HESSIAN`, under the
+ * metric of the surface itself, which is solved a few times, for the metric to follow the shape. The vertices around
+ * the region are constrained, and the triangles around them tell the slope.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam VertexRange a range of `vertex_descriptor`
@@ -142,13 +151,15 @@ Error_code fair_positions(const VertexRange& region, Solver solver, PointMap poi
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return `ok`; or what is wrong, and then the mesh is as it was: `error_unconstrained` if the region is a component of the mesh or all but
- *         two vertices of one
+ * \return `ok`; or what is wrong, and then the mesh is as it was: `error_unconstrained` if the region is a component of
+ *         the mesh or all but two vertices of one
  */
-template <class VertexRange, class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_mesh<TriangleMesh> >
+template <class VertexRange, class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_mesh<TriangleMesh> >
 Error_code fair(const VertexRange& region, TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::fair_positions(region, make_gradient_domain_solver(tm, np), internal::writable_point_map(tm, np), np);
+  return internal::fair_positions(region, make_gradient_domain_solver(tm, np), internal::writable_point_map(tm, np),
+                                  np);
 }
 
 /*!
@@ -161,10 +172,13 @@ Error_code fair(const VertexRange& region, TriangleMesh& tm, const CGAL_NP_CLASS
  * \param polygons a model of `RandomAccessContainer` whose value is a range of indices of points
  * \param np as above; property maps have indices, of type `std::size_t`, as keys
  */
-template <class VertexRange, class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_range<const PolygonRange> >
-Error_code fair(const VertexRange& region, PointRange& points, const PolygonRange& polygons, const CGAL_NP_CLASS& np = parameters::default_values())
+template <class VertexRange, class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_range<const PolygonRange> >
+Error_code fair(const VertexRange& region, PointRange& points, const PolygonRange& polygons,
+                const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::fair_positions(region, make_gradient_domain_solver(points, polygons, np), internal::writable_point_map(points), np);
+  return internal::fair_positions(region, make_gradient_domain_solver(points, polygons, np),
+                                  internal::writable_point_map(points), np);
 }
 
 } // namespace Gradient_domain_processing

@@ -1,11 +1,18 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_FIT_TO_NORMALS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_FIT_TO_NORMALS_H
+
+#include <CGAL/license/Gradient_domain_processing.h>
 
 #include <CGAL/Gradient_domain_processing/Gradient_domain_solver.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/target_field/Normal_fit.h>
@@ -34,7 +41,8 @@ Error_code fit_to_normals(Solver solver, PointMap point_map, VertexNormalMap nor
     return code;
   if(const Error_code code = solver.checked(read_own_normals(np, solver.elements(), filter, own)))
     return code;
-  if(!Has_parameter<gradient_scale_t, NamedParameters>::value && !Has_parameter<face_gradient_scale_map_t, NamedParameters>::value)
+  if(!Has_parameter<gradient_scale_t, NamedParameters>::value
+     && !Has_parameter<face_gradient_scale_map_t, NamedParameters>::value)
     filter.system.set_scale(1);
 
   const Normal_fit_kind kind = parameter(np, normal_fit_kind, Normal_fit_kind::FACES);
@@ -61,17 +69,20 @@ Error_code fit_to_normals(Solver solver, PointMap point_map, VertexNormalMap nor
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * moves the vertices of a mesh so that its normals agree with given ones. The normals are first filtered as a signal, with the weights
- * and metric of the parameters, unless \f$ \lambda = 1 \f$. Then positions are solved for whose gradients fit the target
- * \f$ v = (I - m m^T) \nabla x \f$ best, with the weight `normal_projection_weight` in place of \f$ \beta \f$. The normal \f$ m \f$ wanted
- * of a face is its own, turned by the rotation that takes the mean of the mesh's vertex normals at its corners to that of the wanted ones:
- * the mesh's own normals move nothing, at creases and corners either. Where the wanted normals differ from the mesh's by as much as
- * the face does from the mean at its corners, that mean of the wanted ones is taken instead. Normals determine a closed surface up to
- * an offset only, for parallel surfaces have the same; of these it is the one that encloses the volume the component enclosed before, where
- * the mesh is closed and has no constraints. The vertex normals of the mesh are its `vertex_normal_map` if one is
- * named, else the normalized sums of area-weighted face normals.
+ * moves the vertices of a mesh so that its normals agree with given ones. The normals are first filtered as a signal,
+ * with the weights and metric of the parameters, unless \f$ \lambda = 1 \f$. Then positions are solved for whose
+ * gradients fit the target
+ * \f$ v = (I - m m^T) \nabla x \f$ best, with the weight `normal_projection_weight` in place of \f$ \beta \f$. The
+ * normal \f$ m \f$ wanted of a face is its own, turned by the rotation that takes the mean of the mesh's vertex normals
+ * at its corners to that of the wanted ones: the mesh's own normals move nothing, at creases and corners either. Where
+ * the wanted normals differ from the mesh's by as much as the face does from the mean at its corners, that mean of the
+ * wanted ones is taken instead. Normals determine a closed surface up to an offset only, for parallel surfaces have the
+ * same; of these it is the one that encloses the volume the component enclosed before, where the mesh is closed and has
+ * no constraints. The vertex normals of the mesh are its `vertex_normal_map` if one is named, else the normalized sums
+ * of area-weighted face normals.
  *
- * With `normal_fit_kind(Normal_fit_kind::EDGES)`, as in the program of the paper's authors (after Yu et al.\ 2004), every edge
+ * With `normal_fit_kind(Normal_fit_kind::EDGES)`, as in the program of the paper's authors (after Yu et al.\ 2004),
+ * every edge
  * \f$ d = p_j - p_i \f$ is asked to be orthogonal to the sum \f$ n = n_i + n_j \f$ instead, by the target
  * \f$ d - \frac{\langle d, n \rangle}{\langle n, n \rangle} n \f$.
  *
@@ -80,8 +91,8 @@ Error_code fit_to_normals(Solver solver, PointMap point_map, VertexNormalMap nor
  *
  * \param tm the triangle mesh; its points are moved
  * \param normals outward normals, used as they are; best of length one
- * \param np all the \ref bgl_namedparameters "Named Parameters" of `smooth()` but `number_of_iterations`, of which `gradient_scale`
- *        is by default `1` (the normals are used as given), and
+ * \param np all the \ref bgl_namedparameters "Named Parameters" of `smooth()` but `number_of_iterations`, of which
+ *        `gradient_scale` is by default `1` (the normals are used as given), and
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{normal_projection_weight}
@@ -98,10 +109,13 @@ Error_code fit_to_normals(Solver solver, PointMap point_map, VertexNormalMap nor
  *
  * \return `ok`; or what is wrong, and then the mesh is as it was
  */
-template <class TriangleMesh, class VertexNormalMap, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_mesh<TriangleMesh> >
-Error_code fit_to_normals(TriangleMesh& tm, VertexNormalMap normals, const CGAL_NP_CLASS& np = parameters::default_values())
+template <class TriangleMesh, class VertexNormalMap, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_mesh<TriangleMesh> >
+Error_code fit_to_normals(TriangleMesh& tm, VertexNormalMap normals,
+                          const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::fit_to_normals(make_gradient_domain_solver(tm, np), internal::writable_point_map(tm, np), normals, np);
+  return internal::fit_to_normals(make_gradient_domain_solver(tm, np), internal::writable_point_map(tm, np), normals,
+                                  np);
 }
 
 /*!
@@ -114,10 +128,13 @@ Error_code fit_to_normals(TriangleMesh& tm, VertexNormalMap normals, const CGAL_
  * \param normals outward normals
  * \param np as above
  */
-template <class FaceRange, class TriangleMesh, class VertexNormalMap, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_mesh<TriangleMesh> >
-Error_code fit_to_normals(const FaceRange& region, TriangleMesh& tm, VertexNormalMap normals, const CGAL_NP_CLASS& np = parameters::default_values())
+template <class FaceRange, class TriangleMesh, class VertexNormalMap, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_mesh<TriangleMesh> >
+Error_code fit_to_normals(const FaceRange& region, TriangleMesh& tm, VertexNormalMap normals,
+                          const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::fit_to_normals(make_gradient_domain_solver(region, tm, np), internal::writable_point_map(tm, np), normals, np);
+  return internal::fit_to_normals(make_gradient_domain_solver(region, tm, np), internal::writable_point_map(tm, np),
+                                  normals, np);
 }
 
 /*!
@@ -130,10 +147,13 @@ Error_code fit_to_normals(const FaceRange& region, TriangleMesh& tm, VertexNorma
  * \param normals outward normals
  * \param np as above; property maps have indices, of type `std::size_t`, as keys
  */
-template <class PointRange, class PolygonRange, class VertexNormalMap, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_range<const PolygonRange>, class = void>
-Error_code fit_to_normals(PointRange& points, const PolygonRange& polygons, VertexNormalMap normals, const CGAL_NP_CLASS& np = parameters::default_values())
+template <class PointRange, class PolygonRange, class VertexNormalMap, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_range<const PolygonRange>, class = void>
+Error_code fit_to_normals(PointRange& points, const PolygonRange& polygons, VertexNormalMap normals,
+                          const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::fit_to_normals(make_gradient_domain_solver(points, polygons, np), internal::writable_point_map(points), normals, np);
+  return internal::fit_to_normals(make_gradient_domain_solver(points, polygons, np),
+                                  internal::writable_point_map(points), normals, np);
 }
 
 /*!
@@ -141,10 +161,13 @@ Error_code fit_to_normals(PointRange& points, const PolygonRange& polygons, Vert
  *
  * does so to a region of a soup, a range of indices of polygons.
  */
-template <class FaceRange, class PointRange, class PolygonRange, class VertexNormalMap, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_range<const PolygonRange> >
-Error_code fit_to_normals(const FaceRange& region, PointRange& points, const PolygonRange& polygons, VertexNormalMap normals, const CGAL_NP_CLASS& np = parameters::default_values())
+template <class FaceRange, class PointRange, class PolygonRange, class VertexNormalMap,
+          typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_range<const PolygonRange> >
+Error_code fit_to_normals(const FaceRange& region, PointRange& points, const PolygonRange& polygons,
+                          VertexNormalMap normals, const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::fit_to_normals(make_gradient_domain_solver(region, points, polygons, np), internal::writable_point_map(points), normals, np);
+  return internal::fit_to_normals(make_gradient_domain_solver(region, points, polygons, np),
+                                  internal::writable_point_map(points), normals, np);
 }
 
 } // namespace Gradient_domain_processing

@@ -1,11 +1,18 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_HESSIAN_MATRIX_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_HESSIAN_MATRIX_H
+
+#include <CGAL/license/Gradient_domain_processing.h>
 
 #include <CGAL/Gradient_domain_processing/Error_code.h>
 #include <CGAL/Gradient_domain_processing/Hessian_kind.h>
@@ -23,11 +30,12 @@ namespace Gradient_domain_processing {
 
 namespace internal {
 
-// What function(input, unit) makes of a mesh with its metrics, in the numbers of the vertex index map: degree of freedom d of
-// vertex v is d + dimension * v. Lengths in the input, those of its metrics included, are in units of the arrays.
+// What function(input, unit) makes of a mesh with its metrics, in the numbers of the vertex index map: degree of
+// freedom d of vertex v is d + dimension * v. Lengths in the input, those of its metrics included, are in units of the
+// arrays.
 template <class TriangleMesh, class NamedParameters, class Function>
-Error_code assemble_second_order(const TriangleMesh& tm, int dimension, const NamedParameters& np, const Function& function,
-                                 Eigen::SparseMatrix<double>& matrix)
+Error_code assemble_second_order(const TriangleMesh& tm, int dimension, const NamedParameters& np,
+                                 const Function& function, Eigen::SparseMatrix<double>& matrix)
 {
   Matrix_input input;
   if(const Error_code code = read_matrix_input(tm, np, input))
@@ -58,20 +66,21 @@ Error_code assemble_second_order(const TriangleMesh& tm, int dimension, const Na
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * assembles the matrix \f$ Q \f$ of an energy of second derivatives, \f$ u^T Q u \f$ (Stein, Jacobson, Wardetzky, Grinspun: *A Smoothness
- * Energy without Boundary Distortion for Curved Surfaces*, 2020). With \f$ \gamma Q \f$ added to \f$ \alpha M + \beta S \f$ the energy has one
- * more term, \f$ \gamma |\nabla \nabla g|^2 \f$.
+ * assembles the matrix \f$ Q \f$ of an energy of second derivatives, \f$ u^T Q u \f$ (Stein, Jacobson, Wardetzky,
+ * Grinspun: *A Smoothness Energy without Boundary Distortion for Curved Surfaces*, 2020). With \f$ \gamma Q \f$ added
+ * to \f$ \alpha M + \beta S \f$ the energy has one more term, \f$ \gamma |\nabla \nabla g|^2 \f$.
  *
- * Where the metric differs from face to face, an edge has two lengths. Its squared lengths are averaged, unless that leaves a face less than half of its area.
+ * Where the metric differs from face to face, an edge has two lengths. Its squared lengths are averaged, unless that
+ * leaves a face less than half of its area.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  *
  * \param tm the triangle mesh
  * \param kind which energy
- * \param hessian the result, \f$ |V| \times |V| \f$, symmetric and stored as a whole, in 1 / squared lengths of the mesh. Vertices
- *        without a face have zero rows.
- * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `face_metric_map`, `vertex_point_map`,
- *        `vertex_index_map` and `concurrency_tag` of `mass_matrix()`
+ * \param hessian the result, \f$ |V| \times |V| \f$, symmetric and stored as a whole, in 1 / squared lengths of the
+ *        mesh. Vertices without a face have zero rows.
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `face_metric_map`,
+ *        `vertex_point_map`, `vertex_index_map` and `concurrency_tag` of `mass_matrix()`
  *
  * \return `ok`; or what is wrong, and then the matrix is as it was
  */

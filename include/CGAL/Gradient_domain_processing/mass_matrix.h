@@ -1,11 +1,18 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_MASS_MATRIX_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_MASS_MATRIX_H
+
+#include <CGAL/license/Gradient_domain_processing.h>
 
 #include <CGAL/Gradient_domain_processing/internal/energy/matrices.h>
 
@@ -15,14 +22,15 @@ namespace Gradient_domain_processing {
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * assembles the mass matrix \f$ M_{ij} = \int \phi_i \phi_j \f$ of the hat functions (paper, section 2.2 and appendix A.1). On a
- * triangle of area \f$ a \f$ it is \f$ \frac{a}{12} (2, 1, 1; 1, 2, 1; 1, 1, 2) \f$; all its entries together sum up to the area.
+ * assembles the mass matrix \f$ M_{ij} = \int \phi_i \phi_j \f$ of the hat functions (paper, section 2.2 and appendix
+ * A.1). On a triangle of area \f$ a \f$ it is \f$ \frac{a}{12} (2, 1, 1; 1, 2, 1; 1, 1, 2) \f$; all its entries
+ * together sum up to the area.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  *
  * \param tm the mesh; polygons take part by their virtual vertices, if no `face_metric_map` is given
- * \param mass the result, \f$ |V| \times |V| \f$, symmetric and stored as a whole, in squared lengths of the mesh; rows and columns are
- *        numbered by `vertex_index_map`. Vertices without a face have zero rows.
+ * \param mass the result, \f$ |V| \times |V| \f$, symmetric and stored as a whole, in squared lengths of the mesh; rows
+ *        and columns are numbered by `vertex_index_map`. Vertices without a face have zero rows.
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
  *
  * \cgalNamedParamsBegin
@@ -53,7 +61,8 @@ namespace Gradient_domain_processing {
  * Complexity: proportional to the number of vertices.
  */
 template <class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
-Error_code mass_matrix(const TriangleMesh& tm, Eigen::SparseMatrix<double>& mass, const CGAL_NP_CLASS& np = parameters::default_values())
+Error_code mass_matrix(const TriangleMesh& tm, Eigen::SparseMatrix<double>& mass,
+                       const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return internal::assemble_matrix(tm, 1, 0, np, mass);
 }
@@ -61,8 +70,8 @@ Error_code mass_matrix(const TriangleMesh& tm, Eigen::SparseMatrix<double>& mass
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * does so for a soup: points and polygons connected in any way. Rows and columns are numbered by the indices of points and polygons; there is no `vertex_point_map`, and
- * nothing is welded.
+ * does so for a soup: points and polygons connected in any way. Rows and columns are numbered by the indices of points
+ * and polygons; there is no `vertex_point_map`, and nothing is welded.
  */
 template <class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
           class = internal::Enable_if_range<const PointRange>, class = internal::Enable_if_range<const PolygonRange> >

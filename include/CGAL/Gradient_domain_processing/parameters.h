@@ -1,11 +1,18 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_PARAMETERS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_PARAMETERS_H
+
+#include <CGAL/license/Gradient_domain_processing.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -109,7 +116,10 @@ struct Named_function_parameters<T, Tag, Gradient_domain_processing::internal::P
   typedef Named_function_parameters self;
   typedef int CGAL_Named_function_parameters_class; // by which CGAL 6 recognizes a pack
 
-  Named_function_parameters(const T& value, const Gradient_domain_processing::internal::Pack<Base>& before) : base(value, before) {}
+  Named_function_parameters(const T& value, const Gradient_domain_processing::internal::Pack<Base>& before)
+    : base(value, before)
+  {
+  }
 
 #define CGAL_GDP_OWN_MEMBER(NAME) CGAL_GDP_MEMBER(NAME##_t, NAME)
 CGAL_GDP_NAMES(CGAL_GDP_OWN_MEMBER)
@@ -128,8 +138,8 @@ namespace Gradient_domain_processing {
  *
  * The functions that start a chain of named parameters: one for each name of this package and one for each of CGAL's.
  * Every chain goes on with any of them, as in
- * `GDP::parameters::gradient_weight(1e-3).vertex_point_map(vpm).gradient_scale(2)`, and may be passed to the functions of other
- * CGAL packages as well, which ignore the names they do not know.
+ * `GDP::parameters::gradient_weight(1e-3).vertex_point_map(vpm).gradient_scale(2)`, and may be passed to the functions
+ * of other CGAL packages as well, which ignore the names they do not know.
  */
 namespace parameters {
 
@@ -198,7 +208,9 @@ template <class T, class = void>
 struct Is_range : std::false_type {};
 
 template <class T>
-struct Is_range<T, decltype(void(std::begin(std::declval<T&>())), void(std::end(std::declval<T&>())))> : std::true_type {};
+struct Is_range<T, decltype(void(std::begin(std::declval<T&>())), void(std::end(std::declval<T&>())))> : std::true_type
+{
+};
 
 // Tell f(tm, np), f(region, tm, np), f(points, polygons, np) and f(region, points, polygons, np) from each other.
 template <class TriangleMesh>

@@ -1,11 +1,18 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_PROCESS_FACE_SIGNAL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_PROCESS_FACE_SIGNAL_H
+
+#include <CGAL/license/Gradient_domain_processing.h>
 
 #include <CGAL/Gradient_domain_processing/Gradient_domain_solver.h>
 #include <CGAL/Gradient_domain_processing/internal/filtering/face_signals.h>
@@ -20,9 +27,9 @@ namespace Gradient_domain_processing {
  *
  * \f[ \alpha \sum_f a_f |f_f - g_f|^2 + \beta \sum_e w_e |\lambda (f_a - f_b) - (g_a - g_b)|^2 \f]
  *
- * with the areas \f$ a_f \f$ of the faces and a weight \f$ w_e \f$ for every edge \f$ e \f$ between two faces \f$ a, b \f$: equation 1 of the
- * paper with the graph Laplacian of the dual mesh in place of the stiffness matrix. `denoise()` filters normals in this way. Faces may be
- * polygons; an edge with three faces or more connects none of them.
+ * with the areas \f$ a_f \f$ of the faces and a weight \f$ w_e \f$ for every edge \f$ e \f$ between two faces \f$ a, b
+ * \f$: equation 1 of the paper with the graph Laplacian of the dual mesh in place of the stiffness matrix. `denoise()`
+ * filters normals in this way. Faces may be polygons; an edge with three faces or more connects none of them.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam InMap a model of `ReadablePropertyMap` with key `face_descriptor` and any value that `Signal_traits` knows
@@ -32,7 +39,8 @@ namespace Gradient_domain_processing {
  * \param in the signal \f$ f \f$
  * \param out the result \f$ g \f$; may be `in`
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `area_normalization`,
- *        `face_gradient_weight_map`, `face_gradient_scale_map`, `concurrency_tag`, `visitor`, `vertex_point_map`, `vertex_index_map` of `Gradient_domain_solver`, and
+ *        `face_gradient_weight_map`, `face_gradient_scale_map`, `concurrency_tag`, `visitor`, `vertex_point_map`,
+ *        `vertex_index_map` of `Gradient_domain_solver`, and
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{value_weight}
@@ -59,17 +67,21 @@ namespace Gradient_domain_processing {
  *
  * \return `ok`; or what is wrong, and then `out` is as it was
  */
-template <class TriangleMesh, class InMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_mesh<TriangleMesh> >
-Error_code process_face_signal(const TriangleMesh& tm, InMap in, OutMap out, const CGAL_NP_CLASS& np = parameters::default_values())
+template <class TriangleMesh, class InMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_mesh<TriangleMesh> >
+Error_code process_face_signal(const TriangleMesh& tm, InMap in, OutMap out,
+                               const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return internal::process_face_signal(
-    make_gradient_domain_solver(tm, parameters::with(np).curvature_metric_kind(Curvature_metric_kind::EMBEDDING)), tm, in, out, np);
+    make_gradient_domain_solver(tm, parameters::with(np).curvature_metric_kind(Curvature_metric_kind::EMBEDDING)), tm,
+    in, out, np);
 }
 
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * does so to a region of the mesh: its faces are all there is, and nothing flows across its border. The values of other faces stay.
+ * does so to a region of the mesh: its faces are all there is, and nothing flows across its border. The values of other
+ * faces stay.
  *
  * \param region a range of `face_descriptor`; may be empty
  * \param tm, in, out, np as above
@@ -80,22 +92,26 @@ Error_code process_face_signal(const FaceRange& region, const TriangleMesh& tm, 
                                const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return internal::process_face_signal(
-    make_gradient_domain_solver(region, tm, parameters::with(np).curvature_metric_kind(Curvature_metric_kind::EMBEDDING)), tm, in, out, np);
+    make_gradient_domain_solver(region, tm,
+                                parameters::with(np).curvature_metric_kind(Curvature_metric_kind::EMBEDDING)),
+    tm, in, out, np);
 }
 
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * does so to points and polygons. Property maps have indices, of type `std::size_t`, as keys; there is no `interior_edge_weight_map`, and
- * with `weld_tolerance` faces are neighbors across a seam.
+ * does so to points and polygons. Property maps have indices, of type `std::size_t`, as keys; there is no
+ * `interior_edge_weight_map`, and with `weld_tolerance` faces are neighbors across a seam.
  */
 template <class PointRange, class PolygonRange, class InMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS,
-          class = internal::Enable_if_range<const PointRange>, class = internal::Enable_if_range<const PolygonRange>, class = void>
+          class = internal::Enable_if_range<const PointRange>, class = internal::Enable_if_range<const PolygonRange>,
+          class = void>
 Error_code process_face_signal(const PointRange& points, const PolygonRange& polygons, InMap in, OutMap out,
                                const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return internal::process_face_signal(
-    make_gradient_domain_solver(points, polygons, parameters::with(np).curvature_metric_kind(Curvature_metric_kind::EMBEDDING)),
+    make_gradient_domain_solver(points, polygons,
+                                parameters::with(np).curvature_metric_kind(Curvature_metric_kind::EMBEDDING)),
     polygons, in, out, np);
 }
 
@@ -107,13 +123,15 @@ Error_code process_face_signal(const PointRange& points, const PolygonRange& pol
  * \param region a range of indices of polygons; may be empty
  * \param points, polygons, in, out, np as above
  */
-template <class FaceRange, class PointRange, class PolygonRange, class InMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS,
-          class = internal::Enable_if_range<const PointRange>, class = internal::Enable_if_range<const PolygonRange> >
-Error_code process_face_signal(const FaceRange& region, const PointRange& points, const PolygonRange& polygons, InMap in, OutMap out,
-                               const CGAL_NP_CLASS& np = parameters::default_values())
+template <class FaceRange, class PointRange, class PolygonRange, class InMap, class OutMap,
+          typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_range<const PointRange>,
+          class = internal::Enable_if_range<const PolygonRange> >
+Error_code process_face_signal(const FaceRange& region, const PointRange& points, const PolygonRange& polygons,
+                               InMap in, OutMap out, const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return internal::process_face_signal(
-    make_gradient_domain_solver(region, points, polygons, parameters::with(np).curvature_metric_kind(Curvature_metric_kind::EMBEDDING)),
+    make_gradient_domain_solver(region, points, polygons,
+                                parameters::with(np).curvature_metric_kind(Curvature_metric_kind::EMBEDDING)),
     polygons, in, out, np);
 }
 

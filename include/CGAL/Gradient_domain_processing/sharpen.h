@@ -1,11 +1,18 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_SHARPEN_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_SHARPEN_H
+
+#include <CGAL/license/Gradient_domain_processing.h>
 
 #include <CGAL/Gradient_domain_processing/Gradient_domain_solver.h>
 #include <CGAL/Gradient_domain_processing/internal/filtering/filter_positions.h>
@@ -22,7 +29,8 @@ namespace Gradient_domain_processing {
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, with a vertex point map that can be written
  *
  * \param tm the triangle mesh; its points are moved
- * \param np all the \ref bgl_namedparameters "Named Parameters" of `smooth()`, of which `gradient_scale` is by default `2`
+ * \param np all the \ref bgl_namedparameters "Named Parameters" of `smooth()`, of which `gradient_scale` is by default
+ *        `2`
  *
  * \return `ok`; or what is wrong, and then the mesh is as it was
  *
@@ -37,17 +45,19 @@ Error_code sharpen(TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::defau
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * does so to a region of the mesh. Vertices that have a face outside of the region do not move, to the bit. Time and memory are
- * proportional to the region.
+ * does so to a region of the mesh. Vertices that have a face outside of the region do not move, to the bit. Time and
+ * memory are proportional to the region.
  *
  * \param region a range of `face_descriptor`; may be empty
  * \param tm the mesh
  * \param np as above
  */
-template <class FaceRange, class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_mesh<TriangleMesh> >
+template <class FaceRange, class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_mesh<TriangleMesh> >
 Error_code sharpen(const FaceRange& region, TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::filter_positions(make_gradient_domain_solver(region, tm, np), internal::writable_point_map(tm, np), 2., np);
+  return internal::filter_positions(make_gradient_domain_solver(region, tm, np), internal::writable_point_map(tm, np),
+                                    2., np);
 }
 
 /*!
@@ -59,10 +69,13 @@ Error_code sharpen(const FaceRange& region, TriangleMesh& tm, const CGAL_NP_CLAS
  * \param polygons a model of `RandomAccessContainer` whose value is a range of indices of points
  * \param np as above; property maps have indices, of type `std::size_t`, as keys
  */
-template <class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_range<const PolygonRange>, class = void>
-Error_code sharpen(PointRange& points, const PolygonRange& polygons, const CGAL_NP_CLASS& np = parameters::default_values())
+template <class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_range<const PolygonRange>, class = void>
+Error_code sharpen(PointRange& points, const PolygonRange& polygons,
+                   const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::filter_positions(make_gradient_domain_solver(points, polygons, np), internal::writable_point_map(points), 2., np);
+  return internal::filter_positions(make_gradient_domain_solver(points, polygons, np),
+                                    internal::writable_point_map(points), 2., np);
 }
 
 /*!
@@ -70,10 +83,13 @@ Error_code sharpen(PointRange& points, const PolygonRange& polygons, const CGAL_
  *
  * does so to a region of a soup, a range of indices of polygons.
  */
-template <class FaceRange, class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_range<const PolygonRange> >
-Error_code sharpen(const FaceRange& region, PointRange& points, const PolygonRange& polygons, const CGAL_NP_CLASS& np = parameters::default_values())
+template <class FaceRange, class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_range<const PolygonRange> >
+Error_code sharpen(const FaceRange& region, PointRange& points, const PolygonRange& polygons,
+                   const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::filter_positions(make_gradient_domain_solver(region, points, polygons, np), internal::writable_point_map(points), 2., np);
+  return internal::filter_positions(make_gradient_domain_solver(region, points, polygons, np),
+                                    internal::writable_point_map(points), 2., np);
 }
 
 } // namespace Gradient_domain_processing

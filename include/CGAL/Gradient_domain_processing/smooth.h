@@ -1,11 +1,18 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_SMOOTH_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_SMOOTH_H
+
+#include <CGAL/license/Gradient_domain_processing.h>
 
 #include <CGAL/Gradient_domain_processing/Gradient_domain_solver.h>
 #include <CGAL/Gradient_domain_processing/internal/filtering/filter_positions.h>
@@ -16,14 +23,16 @@ namespace Gradient_domain_processing {
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * smooths the positions of a mesh: one implicit step of mean curvature flow (paper, section 2.1, with \f$ \lambda = 0 \f$), or of
- * edge-aware or anisotropic flow with a curvature metric (section 2.3). A sphere of radius \f$ r \f$ shrinks to
+ * smooths the positions of a mesh: one implicit step of mean curvature flow (paper, section 2.1, with \f$ \lambda = 0
+ * \f$), or of edge-aware or anisotropic flow with a curvature metric (section 2.3). A sphere of radius \f$ r \f$
+ * shrinks to
  * \f$ r / (1 + 2 t / r^2) \f$, where \f$ t = \beta / \alpha \f$ as a squared length.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, with a vertex point map that can be written
  *
  * \param tm the triangle mesh; its points are moved
- * \param np all the \ref bgl_namedparameters "Named Parameters" of `Gradient_domain_solver`, of which `gradient_scale` is by default `0`, and
+ * \param np all the \ref bgl_namedparameters "Named Parameters" of `Gradient_domain_solver`, of which `gradient_scale`
+ *        is by default `0`, and
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{number_of_iterations}
@@ -71,17 +80,19 @@ Error_code smooth(TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::defaul
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * does so to a region of the mesh. Vertices that have a face outside of the region do not move, to the bit. Time and memory are
- * proportional to the region.
+ * does so to a region of the mesh. Vertices that have a face outside of the region do not move, to the bit. Time and
+ * memory are proportional to the region.
  *
  * \param region a range of `face_descriptor`; may be empty
  * \param tm the mesh
  * \param np as above
  */
-template <class FaceRange, class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_mesh<TriangleMesh> >
+template <class FaceRange, class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_mesh<TriangleMesh> >
 Error_code smooth(const FaceRange& region, TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::filter_positions(make_gradient_domain_solver(region, tm, np), internal::writable_point_map(tm, np), 0., np);
+  return internal::filter_positions(make_gradient_domain_solver(region, tm, np), internal::writable_point_map(tm, np),
+                                    0., np);
 }
 
 /*!
@@ -93,10 +104,13 @@ Error_code smooth(const FaceRange& region, TriangleMesh& tm, const CGAL_NP_CLASS
  * \param polygons a model of `RandomAccessContainer` whose value is a range of indices of points
  * \param np as above; property maps have indices, of type `std::size_t`, as keys
  */
-template <class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_range<const PolygonRange>, class = void>
-Error_code smooth(PointRange& points, const PolygonRange& polygons, const CGAL_NP_CLASS& np = parameters::default_values())
+template <class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_range<const PolygonRange>, class = void>
+Error_code smooth(PointRange& points, const PolygonRange& polygons,
+                  const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::filter_positions(make_gradient_domain_solver(points, polygons, np), internal::writable_point_map(points), 0., np);
+  return internal::filter_positions(make_gradient_domain_solver(points, polygons, np),
+                                    internal::writable_point_map(points), 0., np);
 }
 
 /*!
@@ -104,10 +118,13 @@ Error_code smooth(PointRange& points, const PolygonRange& polygons, const CGAL_N
  *
  * does so to a region of a soup, a range of indices of polygons.
  */
-template <class FaceRange, class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_range<const PolygonRange> >
-Error_code smooth(const FaceRange& region, PointRange& points, const PolygonRange& polygons, const CGAL_NP_CLASS& np = parameters::default_values())
+template <class FaceRange, class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_range<const PolygonRange> >
+Error_code smooth(const FaceRange& region, PointRange& points, const PolygonRange& polygons,
+                  const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::filter_positions(make_gradient_domain_solver(region, points, polygons, np), internal::writable_point_map(points), 0., np);
+  return internal::filter_positions(make_gradient_domain_solver(region, points, polygons, np),
+                                    internal::writable_point_map(points), 0., np);
 }
 
 } // namespace Gradient_domain_processing

@@ -1,11 +1,18 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_SPECTRUM_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_SPECTRUM_H
+
+#include <CGAL/license/Gradient_domain_processing.h>
 
 #include <CGAL/Gradient_domain_processing/Error_code.h>
 #include <CGAL/Gradient_domain_processing/mass_matrix.h>
@@ -55,7 +62,8 @@ inline Error_code free_eigenpairs(const Eigen::SparseMatrix<double>& a, const Ei
 
 // `is_constrained` by number of a vertex.
 inline Error_code spectrum(const Eigen::SparseMatrix<double>& mass, const Eigen::SparseMatrix<double>& stiffness,
-                           const std::vector<char>& is_constrained, int count, Eigen::VectorXd& eigenvalues, Eigen::MatrixXd& harmonics)
+                           const std::vector<char>& is_constrained, int count, Eigen::VectorXd& eigenvalues,
+                           Eigen::MatrixXd& harmonics)
 {
   std::vector<char> is_free(std::size_t(mass.rows()));
   for(std::size_t i = 0; i < is_free.size(); ++i)
@@ -73,19 +81,21 @@ inline Error_code spectrum(const Eigen::SparseMatrix<double>& mass, const Eigen:
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * computes the lowest eigenvalues and eigenfunctions of the Laplacian, \f$ S \phi = \lambda M \phi \f$: the manifold harmonics (Vallet,
- * Levy: *Spectral Geometry Processing with Manifold Harmonics*, 2008), under any metric. They come band by band, each around a shift; how many
- * there are below a shift is counted, so that none of a multiple eigenvalue is missed.
+ * computes the lowest eigenvalues and eigenfunctions of the Laplacian, \f$ S \phi = \lambda M \phi \f$: the manifold
+ * harmonics (Vallet, Levy: *Spectral Geometry Processing with Manifold Harmonics*, 2008), under any metric. They come
+ * band by band, each around a shift; how many there are below a shift is counted, so that none of a multiple eigenvalue
+ * is missed.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  *
  * \param tm the mesh, of triangles or other polygons
  * \param count how many, not more than there are vertices with a face that are not constrained
  * \param eigenvalues the result, increasing, in 1 / squared lengths of the mesh
- * \param harmonics one column each, with \f$ \phi^T M \phi = 1 \f$; rows are numbered by `vertex_index_map`, those of constrained vertices and
- *        of vertices without a face are zero
- * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `face_metric_map`, `vertex_point_map`,
- *        `vertex_index_map`, `concurrency_tag` of `mass_matrix()`, and `vertex_is_constrained_map`: where harmonics are zero
+ * \param harmonics one column each, with \f$ \phi^T M \phi = 1 \f$; rows are numbered by `vertex_index_map`, those of
+ *        constrained vertices and of vertices without a face are zero
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `face_metric_map`,
+ *        `vertex_point_map`, `vertex_index_map`, `concurrency_tag` of `mass_matrix()`, and `vertex_is_constrained_map`:
+ *        where harmonics are zero
  *
  * \return `ok`; or what is wrong, and then the results are as they were
  */
@@ -113,16 +123,17 @@ Error_code spectrum(const TriangleMesh& tm, int count, Eigen::VectorXd& eigenval
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * does so on a soup, with any number of polygons at an edge. Rows of the harmonics are those of the points; points beyond the last that a polygon
- * uses have none.
+ * does so on a soup, with any number of polygons at an edge. Rows of the harmonics are those of the points; points
+ * beyond the last that a polygon uses have none.
  *
  * \param points a model of `RandomAccessContainer` of points
  * \param polygons a model of `RandomAccessContainer` whose value is a range of indices of points
  * \param count, eigenvalues, harmonics, np as above; property maps have indices, of type `std::size_t`, as keys
  */
-template <class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_range<const PolygonRange> >
-Error_code spectrum(const PointRange& points, const PolygonRange& polygons, int count, Eigen::VectorXd& eigenvalues, Eigen::MatrixXd& harmonics,
-                    const CGAL_NP_CLASS& np = parameters::default_values())
+template <class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_range<const PolygonRange> >
+Error_code spectrum(const PointRange& points, const PolygonRange& polygons, int count, Eigen::VectorXd& eigenvalues,
+                    Eigen::MatrixXd& harmonics, const CGAL_NP_CLASS& np = parameters::default_values())
 {
   Eigen::SparseMatrix<double> mass, stiffness;
   if(const Error_code code = mass_matrix(points, polygons, mass, np))

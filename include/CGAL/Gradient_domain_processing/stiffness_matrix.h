@@ -1,11 +1,18 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_STIFFNESS_MATRIX_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_STIFFNESS_MATRIX_H
+
+#include <CGAL/license/Gradient_domain_processing.h>
 
 #include <CGAL/Gradient_domain_processing/internal/energy/matrices.h>
 
@@ -15,8 +22,9 @@ namespace Gradient_domain_processing {
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * assembles the stiffness matrix \f$ S_{ij} = \int \langle \nabla \phi_i, \nabla \phi_j \rangle \f$ (paper, appendix A.4), positive
- * semi-definite, the cotangent Laplacian with positive diagonal under the metric of the embedding. Its rows sum up to zero; \f$ S = D G \f$.
+ * assembles the stiffness matrix \f$ S_{ij} = \int \langle \nabla \phi_i, \nabla \phi_j \rangle \f$ (paper, appendix
+ * A.4), positive semi-definite, the cotangent Laplacian with positive diagonal under the metric of the embedding. Its
+ * rows sum up to zero; \f$ S = D G \f$.
  *
  * \param tm the mesh; polygons take part by their virtual vertices, if no `face_metric_map` is given
  * \param stiffness the result, \f$ |V| \times |V| \f$, symmetric and stored as a whole, without unit
@@ -34,12 +42,13 @@ Error_code stiffness_matrix(const TriangleMesh& tm, Eigen::SparseMatrix<double>&
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * does so for a soup: points and polygons connected in any way. Rows and columns are numbered by the indices of points and polygons; there is no `vertex_point_map`, and
- * nothing is welded.
+ * does so for a soup: points and polygons connected in any way. Rows and columns are numbered by the indices of points
+ * and polygons; there is no `vertex_point_map`, and nothing is welded.
  */
 template <class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
           class = internal::Enable_if_range<const PointRange>, class = internal::Enable_if_range<const PolygonRange> >
-Error_code stiffness_matrix(const PointRange& points, const PolygonRange& polygons, Eigen::SparseMatrix<double>& stiffness,
+Error_code stiffness_matrix(const PointRange& points, const PolygonRange& polygons,
+                            Eigen::SparseMatrix<double>& stiffness,
                             const CGAL_NP_CLASS& np = parameters::default_values())
 {
   const internal::Polygon_soup<const PointRange, PolygonRange> soup{points, polygons};

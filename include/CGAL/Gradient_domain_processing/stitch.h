@@ -1,11 +1,18 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_STITCH_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_STITCH_H
+
+#include <CGAL/license/Gradient_domain_processing.h>
 
 #include <CGAL/Gradient_domain_processing/Gradient_domain_solver.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/target_field/Seam.h>
@@ -21,7 +28,8 @@ namespace internal {
 
 // The patches by row, numbered; those of virtual vertices are those of their first corners.
 template <class VertexPatchMap, class Surface>
-std::vector<int> read_patches(VertexPatchMap map, const Surface_elements<Surface>& elements, const Indexed_triangles& mesh)
+std::vector<int> read_patches(VertexPatchMap map, const Surface_elements<Surface>& elements,
+                              const Indexed_triangles& mesh)
 {
   std::vector<int> patches;
   std::map<typename boost::property_traits<VertexPatchMap>::value_type, int> numbers;
@@ -36,7 +44,8 @@ template <class Solver, class VertexPatchMap, class InMap, class OutMap, class N
 Error_code stitch(Solver solver, VertexPatchMap patch_map, InMap in, OutMap out, const NamedParameters&)
 {
   using namespace CGAL::internal_np;
-  if(!Has_parameter<gradient_weight_t, NamedParameters>::value && !Has_parameter<face_gradient_weight_map_t, NamedParameters>::value)
+  if(!Has_parameter<gradient_weight_t, NamedParameters>::value
+     && !Has_parameter<face_gradient_weight_map_t, NamedParameters>::value)
     if(const Error_code code = solver.set_gradient_weight(1e4))
       return code;
   if(solver.error() != ok)
@@ -58,14 +67,16 @@ Error_code stitch(Solver solver, VertexPatchMap patch_map, InMap in, OutMap out,
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * fuses the signals of several patches of a mesh into one without seams, such as the colors of two photographs or the offsets of
- * two scans: the gradients inside each patch are kept, and across a seam none is wanted (paper, sections 1 and 2.1; Yu et al. 2004 for
- * positions). On triangles whose vertices belong to different patches the target \f$ v \f$ is the part of \f$ \nabla f \f$ along the edge that lies in one
- * patch (zero between three patches), on all others \f$ \nabla f \f$.
- * The values \f$ f \f$ determine only what is left open by that, the constants of the patches, by their small weight.
+ * fuses the signals of several patches of a mesh into one without seams, such as the colors of two photographs or the
+ * offsets of two scans: the gradients inside each patch are kept, and across a seam none is wanted (paper, sections 1
+ * and 2.1; Yu et al. 2004 for positions). On triangles whose vertices belong to different patches the target \f$ v \f$
+ * is the part of \f$ \nabla f \f$ along the edge that lies in one patch (zero between three patches), on all others \f$
+ * \nabla f \f$. The values \f$ f \f$ determine only what is left open by that, the constants of the patches, by their
+ * small weight.
  *
- * A seam across which the signals agree, so that the gradients go on from patch to patch, is left as it is: patches that fit are
- * returned unchanged. They agree where the gradients across the seam differ by less than half (in the mean of squares) from those beside it.
+ * A seam across which the signals agree, so that the gradients go on from patch to patch, is left as it is: patches
+ * that fit are returned unchanged. They agree where the gradients across the seam differ by less than half (in the mean
+ * of squares) from those beside it.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam VertexPatchMap a model of `ReadablePropertyMap` with key `vertex_descriptor` and any value with `operator<`
@@ -76,13 +87,15 @@ Error_code stitch(Solver solver, VertexPatchMap patch_map, InMap in, OutMap out,
  * \param patches the patch of every vertex
  * \param in the signal: at every vertex, that of its patch
  * \param out the result; may be `in`
- * \param np all the \ref bgl_namedparameters "Named Parameters" of `Gradient_domain_solver`, of which `gradient_weight` is by default `1e4`.
- *        With constrained vertices, `value_weight(0)` keeps nothing but gradients and constraints.
+ * \param np all the \ref bgl_namedparameters "Named Parameters" of `Gradient_domain_solver`, of which `gradient_weight`
+ *        is by default `1e4`. With constrained vertices, `value_weight(0)` keeps nothing but gradients and constraints.
  *
  * \return `ok`; or what is wrong, and then `out` is as it was
  */
-template <class TriangleMesh, class VertexPatchMap, class InMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_mesh<TriangleMesh> >
-Error_code stitch(const TriangleMesh& tm, VertexPatchMap patches, InMap in, OutMap out, const CGAL_NP_CLASS& np = parameters::default_values())
+template <class TriangleMesh, class VertexPatchMap, class InMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_mesh<TriangleMesh> >
+Error_code stitch(const TriangleMesh& tm, VertexPatchMap patches, InMap in, OutMap out,
+                  const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return internal::stitch(make_gradient_domain_solver(tm, np), patches, in, out, np);
 }
@@ -96,8 +109,11 @@ Error_code stitch(const TriangleMesh& tm, VertexPatchMap patches, InMap in, OutM
  * \param region a range of `face_descriptor`; may be empty
  * \param tm, patches, in, out, np as above
  */
-template <class FaceRange, class TriangleMesh, class VertexPatchMap, class InMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_mesh<TriangleMesh>, class = internal::Enable_if_range<const FaceRange> >
-Error_code stitch(const FaceRange& region, const TriangleMesh& tm, VertexPatchMap patches, InMap in, OutMap out, const CGAL_NP_CLASS& np = parameters::default_values())
+template <class FaceRange, class TriangleMesh, class VertexPatchMap, class InMap, class OutMap,
+          typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_mesh<TriangleMesh>,
+          class = internal::Enable_if_range<const FaceRange> >
+Error_code stitch(const FaceRange& region, const TriangleMesh& tm, VertexPatchMap patches, InMap in, OutMap out,
+                  const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return internal::stitch(make_gradient_domain_solver(region, tm, np), patches, in, out, np);
 }
@@ -105,14 +121,18 @@ Error_code stitch(const FaceRange& region, const TriangleMesh& tm, VertexPatchMa
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * does so on a soup, with any number of polygons at an edge. Property maps have indices, of type `std::size_t`, as keys.
+ * does so on a soup, with any number of polygons at an edge. Property maps have indices, of type `std::size_t`, as
+ * keys.
  *
  * \param points a model of `RandomAccessContainer` of points
  * \param polygons a model of `RandomAccessContainer` whose value is a range of indices of points
  * \param patches, in, out, np as above
  */
-template <class PointRange, class PolygonRange, class VertexPatchMap, class InMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_range<const PointRange>, class = internal::Enable_if_range<const PolygonRange>, class = void>
-Error_code stitch(const PointRange& points, const PolygonRange& polygons, VertexPatchMap patches, InMap in, OutMap out, const CGAL_NP_CLASS& np = parameters::default_values())
+template <class PointRange, class PolygonRange, class VertexPatchMap, class InMap, class OutMap,
+          typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_range<const PointRange>,
+          class = internal::Enable_if_range<const PolygonRange>, class = void>
+Error_code stitch(const PointRange& points, const PolygonRange& polygons, VertexPatchMap patches, InMap in, OutMap out,
+                  const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return internal::stitch(make_gradient_domain_solver(points, polygons, np), patches, in, out, np);
 }
@@ -122,8 +142,11 @@ Error_code stitch(const PointRange& points, const PolygonRange& polygons, Vertex
  *
  * does so in a region of a soup, a range of indices of polygons.
  */
-template <class FaceRange, class PointRange, class PolygonRange, class VertexPatchMap, class InMap, class OutMap, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_range<const PointRange>, class = internal::Enable_if_range<const PolygonRange> >
-Error_code stitch(const FaceRange& region, const PointRange& points, const PolygonRange& polygons, VertexPatchMap patches, InMap in, OutMap out, const CGAL_NP_CLASS& np = parameters::default_values())
+template <class FaceRange, class PointRange, class PolygonRange, class VertexPatchMap, class InMap, class OutMap,
+          typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_range<const PointRange>,
+          class = internal::Enable_if_range<const PolygonRange> >
+Error_code stitch(const FaceRange& region, const PointRange& points, const PolygonRange& polygons,
+                  VertexPatchMap patches, InMap in, OutMap out, const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return internal::stitch(make_gradient_domain_solver(region, points, polygons, np), patches, in, out, np);
 }

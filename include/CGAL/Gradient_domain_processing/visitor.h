@@ -1,11 +1,18 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_VISITOR_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_VISITOR_H
+
+#include <CGAL/license/Gradient_domain_processing.h>
 
 #include <CGAL/Gradient_domain_processing/Error_code.h>
 #include <CGAL/Gradient_domain_processing/parameters.h>
@@ -73,8 +80,8 @@ struct Default_visitor
   void stage_begins(Stage) {}
   /// is called when a stage ends.
   void stage_ends(Stage) {}
-  /// is called at the beginning of every stage, and regularly within long ones, with the part in [0,1] of the whole work that is
-  /// done; it never decreases. The computation stops with `error_cancelled` where this returns `false`.
+  /// is called at the beginning of every stage, and regularly within long ones, with the part in [0,1] of the whole
+  /// work that is done; it never decreases. The computation stops with `error_cancelled` where this returns `false`.
   bool go_on(double) { return true; }
   /// is called before an error is returned that a vertex is to blame for, with one such vertex.
   template <class vertex_descriptor>
@@ -82,7 +89,8 @@ struct Default_visitor
   /// is called before an error is returned that a face is to blame for, with one such face.
   template <class face_descriptor>
   void invalid_face(Error_code, face_descriptor) {}
-  /// is called, if it is there, with a sentence where a user may be surprised: nothing was changed and why, vertices were welded or held back.
+  /// is called, if it is there, with a sentence where a user may be surprised: nothing was changed and why, vertices
+  /// were welded or held back.
   void notice(const std::string&) {}
 };
 
@@ -179,8 +187,14 @@ public:
     if constexpr (Has_notice<typename std::decay<decltype(get())>::type>::value)
       get().notice(sentence);
   }
-  void invalid_vertex(Error_code code, typename Surface_traits<Surface>::vertex_descriptor v) override { get().invalid_vertex(code, v); }
-  void invalid_face(Error_code code, typename Surface_traits<Surface>::face_descriptor f) override { get().invalid_face(code, f); }
+  void invalid_vertex(Error_code code, typename Surface_traits<Surface>::vertex_descriptor v) override
+  {
+    get().invalid_vertex(code, v);
+  }
+  void invalid_face(Error_code code, typename Surface_traits<Surface>::face_descriptor f) override
+  {
+    get().invalid_face(code, f);
+  }
 
 private:
   void stage_begins(Stage stage) override { get().stage_begins(stage); }

@@ -9,7 +9,8 @@
 //
 // Author(s)     : The Gradient_domain_processing authors
 //
-// It stands in for the header of this name that CGAL generates from gpl_package_list.txt once the package is part of it.
+// It stands in for the header of this name that CGAL generates from gpl_package_list.txt once the package is part of
+// it.
 
 #ifndef CGAL_LICENSE_GRADIENT_DOMAIN_PROCESSING_H
 #define CGAL_LICENSE_GRADIENT_DOMAIN_PROCESSING_H

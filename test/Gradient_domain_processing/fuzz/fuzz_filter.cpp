@@ -5,8 +5,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // From the bytes of a file through the command line's own code to a result. The first line of an input is the command
-// line, as in "in.off out.ply --gradient-scale 2"; the mesh file follows. Whatever comes, the program refuses it, or the
-// result is finite and can be read again, and unchanged it comes out to the byte; on an error everything is as it was.
+// line, as in "in.off out.ply --gradient-scale 2"; the mesh file follows. Whatever comes, the program refuses it, or
+// the result is finite and can be read again, and unchanged it comes out to the byte; on an error everything is as it
+// was.
 
 #include <Failure.h>
 #include <Options.h>
@@ -68,11 +69,15 @@ bool read_options(std::string_view line, Options& options)
 
 bool is_same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
-bool is_same(const Point& a, const Point& b) { return is_same(a.x(), b.x()) && is_same(a.y(), b.y()) && is_same(a.z(), b.z()); }
+bool is_same(const Point& a, const Point& b)
+{
+  return is_same(a.x(), b.x()) && is_same(a.y(), b.y()) && is_same(a.z(), b.z());
+}
 
 bool are_same(const std::vector<Point>& a, const std::vector<Point>& b)
 {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Point& p, const Point& q) { return is_same(p, q); });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const Point& p, const Point& q) { return is_same(p, q); });
 }
 
 // What faces use is finite, and what was filtered; but outside of a region points stay whatever they are.
@@ -134,7 +139,8 @@ void check_copy(const Mesh_file& file)
   const std::string before = file.text;
   try
   {
-    demand(mesh_file_contents(copy, {file.format, Encoding::DEFAULT, Precision::DEFAULT}) == before, "the copy is another");
+    demand(mesh_file_contents(copy, {file.format, Encoding::DEFAULT, Precision::DEFAULT}) == before,
+           "the copy is another");
   }
   catch(const Failure&) {} // numbers beyond their type
 }
@@ -149,7 +155,8 @@ void run(std::string_view input)
     if(!read_options(input.substr(0, end), options))
       return;
     std::string text(input.substr((std::min)(end + 1, input.size())));
-    const File_format format = options.input_format ? *options.input_format : sniffed_format(options.input_name(), text);
+    const File_format format =
+      options.input_format ? *options.input_format : sniffed_format(options.input_name(), text);
     file = parse_mesh_file(options.input_name(), format, std::move(text));
   }
   catch(const Usage_error&) { return; }

@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Calls every public function, so that compilers and libraries other than ours see the bodies of all templates. What the results
-// are worth is for other tests: here they are finite, and no call fails.
+// Calls every public function, so that compilers and libraries other than ours see the bodies of all templates. What
+// the results are worth is for other tests: here they are finite, and no call fails.
 
 #ifdef PORTABILITY_WINDOWS_H
 #include <windows.h>
@@ -59,7 +59,8 @@ Mesh rough_sphere()
 {
   Mesh mesh;
   std::vector<Vertex> v;
-  for(const Point& p : {Point(1, 0, 0), Point(0, 1, 0), Point(-1, 0, 0), Point(0, -1, 0), Point(0, 0, 1), Point(0, 0, -1)})
+  for(const Point& p :
+      {Point(1, 0, 0), Point(0, 1, 0), Point(-1, 0, 0), Point(0, -1, 0), Point(0, 0, 1), Point(0, 0, -1)})
     v.push_back(mesh.add_vertex(p));
   for(int i = 0; i < 4; ++i)
   {

@@ -12,7 +12,8 @@
 #include <algorithm>
 #include <cmath>
 
-// The value of full brightness: formats and files do not agree about it. Bytes go to 255, reals to 1, unless one is larger.
+// The value of full brightness: formats and files do not agree about it. Bytes go to 255, reals to 1, unless one is
+// larger.
 inline double white(const Columns& columns)
 {
   double largest = 0;

@@ -24,8 +24,9 @@ typedef CGAL::Simple_cartesian<double> Kernel;
 typedef Kernel::Point_3 Point;
 typedef Kernel::Vector_3 Vector;
 
-// A number at every vertex or face. Every type of PLY fits into double; `type` is what it was in the file. Normals are the
-// columns nx, ny, nz, colors red, green, blue and possibly alpha, whatever the format, with the range they have in the file.
+// A number at every vertex or face. Every type of PLY fits into double; `type` is what it was in the file. Normals are
+// the columns nx, ny, nz, colors red, green, blue and possibly alpha, whatever the format, with the range they have in
+// the file.
 struct Column
 {
   std::string name;
@@ -97,9 +98,9 @@ enum class File_format { OFF, OBJ, PLY, STL };
 enum class Encoding { DEFAULT, ASCII, BINARY };
 enum class Precision { DEFAULT, SINGLE, DOUBLE };
 
-// A file in memory: its bytes, what the filter works on, and where that stands in the bytes. The readers are ours because
-// those of CGAL and of other libraries give a mesh and drop the rest: order, comments, materials, texture seams, types,
-// elements of one's own.
+// A file in memory: its bytes, what the filter works on, and where that stands in the bytes. The readers are ours
+// because those of CGAL and of other libraries give a mesh and drop the rest: order, comments, materials, texture
+// seams, types, elements of one's own.
 struct Mesh_file
 {
   std::string name;
@@ -110,7 +111,8 @@ struct Mesh_file
   Polygons polygons;
   Columns vertex_columns, face_columns;
 
-  // Normals that are neither those of vertices nor of faces, as the vn of OBJ, and which one every corner has; -1: none.
+  // Normals that are neither those of vertices nor of faces, as the vn of OBJ, and which one every corner has; -1:
+  // none.
   Columns normal_columns;
   std::vector<int> corner_normals;
 
@@ -128,7 +130,8 @@ struct Mesh_file
 struct Output_form
 {
   File_format format = File_format::PLY;
-  Encoding encoding = Encoding::DEFAULT; // that of the file where it is of the same format; else PLY in binary and STL as text
+  // that of the file where it is of the same format; else PLY in binary and STL as text
+  Encoding encoding = Encoding::DEFAULT;
   Precision precision = Precision::DEFAULT; // likewise; else double
 };
 
@@ -150,7 +153,8 @@ void parse_obj(Mesh_file& file);
 void parse_ply(Mesh_file& file);
 void parse_stl(Mesh_file& file);
 
-// The normals that all corners of a vertex agree upon, by vertex; empty if the file has none or there is no such agreement.
+// The normals that all corners of a vertex agree upon, by vertex; empty if the file has none or there is no such
+// agreement.
 std::vector<Vector> vertex_normals_of_file(const Mesh_file& file);
 
 // What would be lost.

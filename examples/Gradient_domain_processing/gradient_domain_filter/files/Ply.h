@@ -63,7 +63,13 @@ class Ply_numbers
 
 public:
   Ply_numbers(const std::string& name, const std::string& text, const Ply_header& header)
-    : m_name(name), m_order(header.order), m_at(text.data() + header.size), m_end(text.data() + text.size()), m_text(m_at, m_end) {}
+    : m_name(name)
+    , m_order(header.order)
+    , m_at(text.data() + header.size)
+    , m_end(text.data() + text.size())
+    , m_text(m_at, m_end)
+  {
+  }
 
   std::size_t remaining() const { return m_order == Order::ASCII ? m_text.remaining() : std::size_t(m_end - m_at); }
   const char* position()
@@ -111,7 +117,8 @@ public:
 
   [[noreturn]] void ended(const Ply_element& element, std::size_t i) const
   {
-    throw Failure(m_name, "the file ends at " + element.name + " " + std::to_string(i) + " of " + std::to_string(element.count));
+    throw Failure(m_name, "the file ends at " + element.name + " " + std::to_string(i) + " of "
+                            + std::to_string(element.count));
   }
 };
 

@@ -22,8 +22,8 @@ struct Property
   Number_type size_type = Number_type::UINT8;
 };
 
-// Where the numbers of the vertices, faces or normals stand in the bytes of a file. What comes out is what came in, with
-// single numbers exchanged: so everything is kept of which we know nothing.
+// Where the numbers of the vertices, faces or normals stand in the bytes of a file. What comes out is what came in,
+// with single numbers exchanged: so everything is kept of which we know nothing.
 struct Records
 {
   Order order = Order::ASCII;

@@ -61,7 +61,8 @@ private:
   int& place(const std::array<double, N>& value)
   {
     std::size_t i = hash(value) & m_mask;
-    while(m_table[i] >= 0 && std::memcmp(&m_values[std::size_t(m_table[i])], &value, sizeof value) != 0) // NaN equals itself
+    // NaN equals itself
+    while(m_table[i] >= 0 && std::memcmp(&m_values[std::size_t(m_table[i])], &value, sizeof value) != 0)
       i = (i + 1) & m_mask;
     return m_table[i];
   }

@@ -13,7 +13,8 @@
 #include <string>
 #include <vector>
 
-// Files are read and written in blocks, which depend on the file only: what comes of it is the same on any number of threads.
+// Files are read and written in blocks, which depend on the file only: what comes of it is the same on any number of
+// threads.
 constexpr std::size_t bytes_of_block = std::size_t(1) << 20;
 constexpr std::size_t records_of_block = std::size_t(1) << 14;
 
@@ -21,7 +22,8 @@ constexpr std::size_t records_of_block = std::size_t(1) << 14;
 template <class Body>
 void for_each_part(std::size_t count, const Body& body)
 {
-  CGAL::Gradient_domain_processing::internal::for_each_block(true, count, 1, [&](std::size_t k, std::size_t) { body(k); });
+  CGAL::Gradient_domain_processing::internal::for_each_block(true, count, 1,
+                                                             [&](std::size_t k, std::size_t) { body(k); });
 }
 
 // Calls body(begin, end) for blocks of records.

@@ -49,7 +49,10 @@ void add_changed(const Columns& columns, Number_type real, std::vector<Replaceme
 {
   for(const Column& column : columns)
     if(column.is_changed)
-      numbers.push_back({column.place, is_integer(column.type) ? column.type : column.type == Number_type::FLOAT ? column.type : real,
+      numbers.push_back({column.place,
+                         is_integer(column.type)             ? column.type
+                         : column.type == Number_type::FLOAT ? column.type
+                                                             : real,
                          [&column](std::size_t i) { return column.values[i]; }, column.is_spelled_real});
 }
 
@@ -111,21 +114,24 @@ void note_columns(const Columns& columns, const char* where, bool holds_normals,
       names += (names.empty() ? "" : ", ") + column.name;
   }
   if(count > 0)
-    lost.push_back((count == 1 ? "the property " : "the properties ") + names + (count > 6 ? ", ..." : "") + " of " + where);
+    lost.push_back((count == 1 ? "the property " : "the properties ") + names + (count > 6 ? ", ..." : "") + " of "
+                   + where);
 }
 
 bool is_binary_stl(const Mesh_file& file, const Output_form& form)
 {
   return form.format == File_format::STL
-         && (form.encoding == Encoding::BINARY || (form.encoding == Encoding::DEFAULT && file.format == File_format::STL && !is_text(file)));
+         && (form.encoding == Encoding::BINARY
+             || (form.encoding == Encoding::DEFAULT && file.format == File_format::STL && !is_text(file)));
 }
 
 // Numbers that would become infinite where single precision is written.
 void check_range(const Mesh_file& file, const Output_form& form)
 {
-  const bool is_single = form.precision == Precision::SINGLE || is_binary_stl(file, form)
-                         || (form.precision == Precision::DEFAULT && form.format == File_format::PLY && file.format == File_format::PLY
-                             && file.coordinate_type == Number_type::FLOAT && !(is_text(file) && can_replace(file, form)));
+  const bool is_single =
+    form.precision == Precision::SINGLE || is_binary_stl(file, form)
+    || (form.precision == Precision::DEFAULT && form.format == File_format::PLY && file.format == File_format::PLY
+        && file.coordinate_type == Number_type::FLOAT && !(is_text(file) && can_replace(file, form)));
   if(!is_single)
     return;
   for(std::size_t v = 0; v < file.points.size(); ++v)
@@ -202,8 +208,8 @@ void check_form(const Mesh_file& file, const Output_form& form, const std::strin
     return;
   for(std::size_t f = 0; f < file.polygons.size(); ++f)
     if(file.polygons[f].size() != 3)
-      throw Failure(output, "STL holds triangles only, and face " + std::to_string(f) + " has " + std::to_string(file.polygons[f].size())
-                            + " corners");
+      throw Failure(output, "STL holds triangles only, and face " + std::to_string(f) + " has "
+                              + std::to_string(file.polygons[f].size()) + " corners");
 }
 
 std::string mesh_file_contents(Mesh_file& file, const Output_form& form)

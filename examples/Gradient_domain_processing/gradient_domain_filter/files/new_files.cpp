@@ -13,7 +13,10 @@ namespace {
 
 constexpr std::array<const char*, 4> color_names = {{"red", "green", "blue", "alpha"}};
 
-Number_type real_type(const Output_form& form) { return form.precision == Precision::SINGLE ? Number_type::FLOAT : Number_type::DOUBLE; }
+Number_type real_type(const Output_form& form)
+{
+  return form.precision == Precision::SINGLE ? Number_type::FLOAT : Number_type::DOUBLE;
+}
 
 void append_vector(std::string& text, double x, double y, double z, Number_type type)
 {
@@ -24,7 +27,10 @@ void append_vector(std::string& text, double x, double y, double z, Number_type 
   append_number(text, z, type);
 }
 
-void append_point(std::string& text, const Point& p, Number_type type) { append_vector(text, p.x(), p.y(), p.z(), type); }
+void append_point(std::string& text, const Point& p, Number_type type)
+{
+  append_vector(text, p.x(), p.y(), p.z(), type);
+}
 
 // In OFF bytes are integers and all others reals with a point.
 class Off_colors

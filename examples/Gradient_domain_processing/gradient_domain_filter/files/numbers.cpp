@@ -24,7 +24,8 @@ bool is_little_endian_machine()
 
 double in_range(double x, Number_type type)
 {
-  static const double range[][2] = {{-128., 127.}, {0., 255.}, {-32768., 32767.}, {0., 65535.}, {-2147483648., 2147483647.}, {0., 4294967295.}};
+  static const double range[][2] = {
+    {-128., 127.}, {0., 255.}, {-32768., 32767.}, {0., 65535.}, {-2147483648., 2147483647.}, {0., 4294967295.}};
   if(!is_integer(type))
     return x;
   if(!(x >= range[int(type)][0])) // and NaN

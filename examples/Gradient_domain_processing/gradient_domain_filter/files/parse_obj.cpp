@@ -49,7 +49,8 @@ struct Obj_part
   std::vector<int> corners, corner_normals;
   std::vector<std::size_t> polygon_ends;
   Obj_indices vertex_indices, normal_indices;
-  std::size_t with_colors = 0, first_color_place = 0, color_place = 0, with_weights = 0, texture = 0, groups = 0, objects = 0, curves = 0;
+  std::size_t with_colors = 0, first_color_place = 0, color_place = 0, with_weights = 0, texture = 0, groups = 0,
+              objects = 0, curves = 0;
   std::size_t comments = 0, smoothing_groups = 0, libraries = 0;
   std::set<std::string> materials;
 };
@@ -81,7 +82,10 @@ public:
   }
 
 private:
-  Failure failure(const char* what) const { return Failure(m_file.name, "line " + std::to_string(m_line) + ": " + what); }
+  Failure failure(const char* what) const
+  {
+    return Failure(m_file.name, "line " + std::to_string(m_line) + ": " + what);
+  }
 
   void read_line(Text_scanner words)
   {
@@ -154,7 +158,8 @@ private:
       const bool has_normal = slash != last_slash && last_slash + 1 < word.size();
       if(has_normal)
       {
-        if(!part.normal_indices.read(word.substr(last_slash + 1), part.normal_offsets.size(), part.corners.size(), m_is_all, n))
+        if(!part.normal_indices.read(word.substr(last_slash + 1), part.normal_offsets.size(), part.corners.size(),
+                                     m_is_all, n))
           throw failure("a face has a normal that does not exist");
         part.corner_normals.resize(part.corners.size(), -1);
       }
@@ -166,8 +171,8 @@ private:
   }
 };
 
-// Blocks are read side by side and put together. Where one of them fails, or asks for what it cannot know of, all is read as one
-// block, which knows the line.
+// Blocks are read side by side and put together. Where one of them fails, or asks for what it cannot know of, all is
+// read as one block, which knows the line.
 class Obj_parser
 {
   Mesh_file& m_file;
@@ -204,7 +209,8 @@ private:
     for_each_part(count, [&](std::size_t k) {
       try
       {
-        Obj_block_parser(m_file, false, m_parts[k]).parse(m_file.text.data() + begins[k], m_file.text.data() + begins[k + 1]);
+        Obj_block_parser(m_file, false, m_parts[k])
+          .parse(m_file.text.data() + begins[k], m_file.text.data() + begins[k + 1]);
         is_read[k] = 1;
       }
       catch(const Failure&) {}
@@ -258,7 +264,8 @@ private:
 
   void put_together()
   {
-    const bool has_normals = std::any_of(m_parts.begin(), m_parts.end(), [](const Obj_part& part) { return !part.corner_normals.empty(); });
+    const bool has_normals =
+      std::any_of(m_parts.begin(), m_parts.end(), [](const Obj_part& part) { return !part.corner_normals.empty(); });
     std::vector<std::size_t> corners_before(1, 0);
     for(const Obj_part& part : m_parts)
       corners_before.push_back(corners_before.back() + part.corners.size());
@@ -274,18 +281,22 @@ private:
         end += corners_before[k];
     });
     join([](const Obj_part& part) -> const std::vector<Point>& { return part.points; }, m_file.points);
-    join([](const Obj_part& part) -> const std::vector<std::size_t>& { return part.vertex_offsets; }, m_file.vertex_records.offsets);
-    join([](const Obj_part& part) -> const std::vector<std::size_t>& { return part.normal_offsets; }, m_file.normal_records.offsets);
+    join([](const Obj_part& part) -> const std::vector<std::size_t>& { return part.vertex_offsets; },
+         m_file.vertex_records.offsets);
+    join([](const Obj_part& part) -> const std::vector<std::size_t>& { return part.normal_offsets; },
+         m_file.normal_records.offsets);
     join([](const Obj_part& part) -> const std::vector<int>& { return part.corners; }, m_file.polygons.corners);
     join([](const Obj_part& part) -> const std::vector<int>& { return part.corner_normals; }, m_file.corner_normals);
-    join([](const Obj_part& part) -> const std::vector<std::size_t>& { return part.polygon_ends; }, m_file.polygons.first_corner);
+    join([](const Obj_part& part) -> const std::vector<std::size_t>& { return part.polygon_ends; },
+         m_file.polygons.first_corner);
     m_file.polygons.first_corner.insert(m_file.polygons.first_corner.begin(), 0);
     join([](const Obj_part& part) -> const std::vector<double>& { return part.normals; }, m_sum.normals);
     join([](const Obj_part& part) -> const std::vector<double>& { return part.colors; }, m_sum.colors);
     m_parts.clear();
   }
 
-  static void add_columns(const std::array<const char*, 3>& names, std::size_t first_place, const std::vector<double>& values, Columns& columns)
+  static void add_columns(const std::array<const char*, 3>& names, std::size_t first_place,
+                          const std::vector<double>& values, Columns& columns)
   {
     for(std::size_t i = 0; i < 3; ++i)
     {

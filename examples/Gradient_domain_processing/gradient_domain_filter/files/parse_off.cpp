@@ -29,8 +29,9 @@ struct Off_variant
     take("C"); // the length of the line tells
     variant.has_normals = take("N");
     if(keyword != "OFF")
-      throw Failure(name, all.size() < 10 && all.find("OFF") != std::string::npos ? "OFF files of kind " + all + " are not supported"
-                                                                                 : "not an OFF file");
+      throw Failure(name, all.size() < 10 && all.find("OFF") != std::string::npos
+                            ? "OFF files of kind " + all + " are not supported"
+                            : "not an OFF file");
     return variant;
   }
 };
@@ -64,7 +65,8 @@ private:
   {
     const std::string_view line = m_scanner.line_without_comment();
     Text_scanner words(line);
-    if(line.empty() || line.find_first_not_of("0123456789 \t\r") != std::string_view::npos) // the keyword may be missing
+    // the keyword may be missing
+    if(line.empty() || line.find_first_not_of("0123456789 \t\r") != std::string_view::npos)
     {
       m_variant = Off_variant::parse(m_file.name, words.word());
       if(words.at_end())
@@ -76,8 +78,8 @@ private:
       throw Failure(m_file.name, "the numbers of vertices and faces are missing");
     for(int i = 0; i < 2; ++i) // a vertex has at least six letters, a face four
       if(m_count[i] > (m_scanner.remaining() + 1) / (i == 0 ? 6 : 4))
-        throw Failure(m_file.name, "the header announces " + std::to_string(m_count[i]) + (i == 0 ? " vertices" : " faces")
-                                   + ", which do not fit into the file");
+        throw Failure(m_file.name, "the header announces " + std::to_string(m_count[i])
+                                     + (i == 0 ? " vertices" : " faces") + ", which do not fit into the file");
   }
 
   Failure failure(const char* what, std::size_t i, const char* is_wrong) const

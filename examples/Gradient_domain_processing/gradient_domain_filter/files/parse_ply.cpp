@@ -12,7 +12,10 @@
 
 namespace {
 
-std::string counted(std::size_t n, const std::string& one) { return std::to_string(n) + " " + one + (n == 1 ? "" : "s"); }
+std::string counted(std::size_t n, const std::string& one)
+{
+  return std::to_string(n) + " " + one + (n == 1 ? "" : "s");
+}
 
 class Ply_parser
 {
@@ -103,7 +106,8 @@ private:
       column.values.resize(records.count);
       std::size_t distance = 0;
       for(int p = 0; p < column.place; ++p)
-        distance += distance_over(records.properties[std::size_t(p)], m_file.text.data() + records.first + distance, records.order);
+        distance += distance_over(records.properties[std::size_t(p)], m_file.text.data() + records.first + distance,
+                                  records.order);
       distances.push_back(distance);
     }
     for_each_block_of_records(records.count, [&](std::size_t begin, std::size_t end) {
@@ -120,15 +124,18 @@ private:
   {
     if(!property.is_list)
       return size_of(property.type);
-    return size_of(property.size_type) + size_of(property.type) * std::size_t(binary_number(at, property.size_type, order));
+    return size_of(property.size_type)
+           + size_of(property.type) * std::size_t(binary_number(at, property.size_type, order));
   }
 
-  // Binary faces with one list, of the same length in all of them. Returns false, and has read nothing, where they are not so, or
-  // where one has a vertex that does not exist.
+  // Binary faces with one list, of the same length in all of them. Returns false, and has read nothing, where they are
+  // not so, or where one has a vertex that does not exist.
   bool read_even_faces(const Ply_element& element, const Property& list)
   {
     if(m_header.order == Order::ASCII || element.count == 0
-       || std::count_if(element.properties.begin(), element.properties.end(), [](const Property& p) { return p.is_list; }) != 1)
+       || std::count_if(element.properties.begin(), element.properties.end(), [](const Property& p) {
+            return p.is_list;
+          }) != 1)
       return false;
     Records records = m_file.face_records;
     records.first = offset();
@@ -147,7 +154,8 @@ private:
     if(!(size >= 0 && size <= double(m_numbers.remaining())))
       return false;
     records.stride += std::size_t(size) * size_of(list.type);
-    if(element.count > m_numbers.remaining() / records.stride || !read_even_corners(records, list, before, std::size_t(size)))
+    if(element.count > m_numbers.remaining() / records.stride
+       || !read_even_corners(records, list, before, std::size_t(size)))
       return false;
     if(!m_file.face_columns.empty())
     {
@@ -189,7 +197,8 @@ private:
 
   // Record by record; lists but one are read over.
   template <class List>
-  void read_one_by_one(const Ply_element& element, Records* records, Columns& columns, const Property* wanted, const List& list)
+  void read_one_by_one(const Ply_element& element, Records* records, Columns& columns, const Property* wanted,
+                       const List& list)
   {
     for(Column& column : columns)
       column.values.reserve(element.count);
@@ -258,7 +267,10 @@ private:
     return list;
   }
 
-  bool is_vertex(double index) const { return index >= 0 && index < double(m_file.points.size()) && index == double(int(index)); }
+  bool is_vertex(double index) const
+  {
+    return index >= 0 && index < double(m_file.points.size()) && index == double(int(index));
+  }
 
   int corner(double index, const Ply_element& element, std::size_t i) const
   {

@@ -8,8 +8,9 @@
 
 namespace {
 
-const char* const type_names[8][2] = {{"char", "int8"}, {"uchar", "uint8"}, {"short", "int16"}, {"ushort", "uint16"},
-                                      {"int", "int32"}, {"uint", "uint32"}, {"float", "float32"}, {"double", "float64"}};
+const char* const type_names[8][2] = {{"char", "int8"},     {"uchar", "uint8"},   {"short", "int16"},
+                                      {"ushort", "uint16"}, {"int", "int32"},     {"uint", "uint32"},
+                                      {"float", "float32"}, {"double", "float64"}};
 
 class Header_parser
 {

@@ -65,7 +65,8 @@ private:
     faces.first = 84;
     faces.stride = 50;
     faces.count = count;
-    faces.properties = m_file.vertex_records.properties = {{"x", Number_type::FLOAT}, {"y", Number_type::FLOAT}, {"z", Number_type::FLOAT}};
+    faces.properties = m_file.vertex_records.properties = {
+      {"x", Number_type::FLOAT}, {"y", Number_type::FLOAT}, {"z", Number_type::FLOAT}};
     m_file.vertex_records.offsets.reserve(3 * count);
     m_file.polygons.corners.reserve(3 * count);
     m_file.polygons.first_corner.reserve(count + 1);
@@ -98,7 +99,8 @@ private:
   {
     double x;
     if(!scanner.number(x))
-      throw Failure(m_file.name, "triangle " + std::to_string(m_file.polygons.size()) + " holds something that is not a number");
+      throw Failure(m_file.name,
+                    "triangle " + std::to_string(m_file.polygons.size()) + " holds something that is not a number");
     return x;
   }
 

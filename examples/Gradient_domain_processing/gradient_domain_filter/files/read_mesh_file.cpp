@@ -188,6 +188,7 @@ Mesh_file parse_mesh_file(const std::string& name, File_format format, std::stri
     throw Failure(name, "no faces");
   for(std::size_t f = 0; f < file.polygons.size(); ++f)
     if(const auto corners = file.polygons[f].size(); corners < 3)
-      throw Failure(name, "face " + std::to_string(f) + " has " + std::to_string(corners) + (corners == 1 ? " corner" : " corners"));
+      throw Failure(name, "face " + std::to_string(f) + " has " + std::to_string(corners)
+                            + (corners == 1 ? " corner" : " corners"));
   return file;
 }

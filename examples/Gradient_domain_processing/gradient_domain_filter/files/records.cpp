@@ -46,7 +46,8 @@ public:
         continue;
       const std::size_t at = std::size_t(word.data() - m_text.data());
       m_result.append(m_text, m_copied, at - m_copied);
-      append_number(m_result, x, fits(x, number.type) ? number.type : Number_type::DOUBLE); // text may hold more than its type
+      // text may hold more than its type
+      append_number(m_result, x, fits(x, number.type) ? number.type : Number_type::DOUBLE);
       if(number.is_spelled_real && x == std::floor(x))
         m_result += ".0";
       m_copied = at + word.size();
@@ -91,7 +92,8 @@ std::size_t distance_to(const std::string& text, const Records& records, std::si
 void replace_binary(std::string& text, const Replaced_records& replaced)
 {
   const Records& records = *replaced.records;
-  const bool has_lists = std::any_of(records.properties.begin(), records.properties.end(), [](const Property& p) { return p.is_list; });
+  const bool has_lists =
+    std::any_of(records.properties.begin(), records.properties.end(), [](const Property& p) { return p.is_list; });
   for_each_block_of_records(records.size(), [&](std::size_t begin, std::size_t end) {
     for(const Replacement& number : replaced.numbers)
     {
@@ -125,7 +127,8 @@ std::size_t record_at(const Records& records, std::size_t place)
 }
 
 // Records of several kinds may take turns.
-std::string replaced_text(const std::string& text, const std::vector<Replaced_records>& replaced, std::size_t begin, std::size_t end)
+std::string replaced_text(const std::string& text, const std::vector<Replaced_records>& replaced, std::size_t begin,
+                          std::size_t end)
 {
   Text_replacer replacer(text, begin, end);
   std::vector<std::size_t> next, last;
@@ -139,7 +142,8 @@ std::string replaced_text(const std::string& text, const std::vector<Replaced_re
     std::size_t first = replaced.size();
     for(std::size_t k = 0; k < replaced.size(); ++k)
       if(next[k] < last[k]
-         && (first == replaced.size() || replaced[k].records->offset(next[k]) < replaced[first].records->offset(next[first])))
+         && (first == replaced.size()
+             || replaced[k].records->offset(next[k]) < replaced[first].records->offset(next[first])))
         first = k;
     if(first == replaced.size())
       return replacer.finish(end);
@@ -162,7 +166,8 @@ std::vector<std::size_t> record_blocks(const std::string& text, const Records& r
 void replace_numbers(std::string& text, std::vector<Replaced_records> replaced)
 {
   for(Replaced_records& r : replaced)
-    std::sort(r.numbers.begin(), r.numbers.end(), [](const Replacement& a, const Replacement& b) { return a.place < b.place; });
+    std::sort(r.numbers.begin(), r.numbers.end(),
+              [](const Replacement& a, const Replacement& b) { return a.place < b.place; });
   if(replaced.empty())
     return;
   if(replaced[0].records->order != Order::ASCII)
@@ -172,12 +177,14 @@ void replace_numbers(std::string& text, std::vector<Replaced_records> replaced)
     return;
   }
 
-  const auto most = std::max_element(replaced.begin(), replaced.end(), [](const Replaced_records& a, const Replaced_records& b) {
-    return a.records->size() < b.records->size();
-  });
+  const auto most =
+    std::max_element(replaced.begin(), replaced.end(), [](const Replaced_records& a, const Replaced_records& b) {
+      return a.records->size() < b.records->size();
+    });
   const std::vector<std::size_t> begins = record_blocks(text, *most->records);
   std::vector<std::string> parts(begins.size() - 1);
-  for_each_part(parts.size(), [&](std::size_t k) { parts[k] = replaced_text(text, replaced, begins[k], begins[k + 1]); });
+  for_each_part(parts.size(),
+                [&](std::size_t k) { parts[k] = replaced_text(text, replaced, begins[k], begins[k + 1]); });
   std::size_t size = 0;
   for(const std::string& part : parts)
     size += part.size();

@@ -20,7 +20,9 @@ Order order_of(Encoding encoding, Order otherwise)
 
 const char* format_name(Order order)
 {
-  return order == Order::ASCII ? "ascii" : (order == Order::SAME) == is_little_endian_machine() ? "binary_little_endian" : "binary_big_endian";
+  return order == Order::ASCII                                  ? "ascii"
+         : (order == Order::SAME) == is_little_endian_machine() ? "binary_little_endian"
+                                                                : "binary_big_endian";
 }
 
 // The numbers of records, one after the other.
@@ -80,7 +82,12 @@ class Ply_changer
 
 public:
   Ply_changer(const Mesh_file& file, const Output_form& form)
-    : m_file(file), m_form(form), m_header(parse_ply_header(file.name, file.text)), m_order(order_of(form.encoding, m_header.order)) {}
+    : m_file(file)
+    , m_form(form)
+    , m_header(parse_ply_header(file.name, file.text))
+    , m_order(order_of(form.encoding, m_header.order))
+  {
+  }
 
   std::string changed()
   {
@@ -127,7 +134,8 @@ private:
   {
     for(const Column& column : columns(element))
       if(column.place < 0 && element.find(column.name.c_str(), column.name.c_str()))
-        throw Failure(m_file.name, "the list '" + column.name + "' of " + element.name + " has the name of what is to be added");
+        throw Failure(m_file.name,
+                      "the list '" + column.name + "' of " + element.name + " has the name of what is to be added");
       else if(column.place < 0)
         m_text += std::string("property ") + ply_type_name(wanted(column.type)) + " " + column.name + "\n";
   }
@@ -153,7 +161,8 @@ private:
       if(key == "format")
         m_text += std::string("format ") + format_name(m_order) + " 1.0";
       else if(key == "property" && m_header.elements[element - 1].properties[property].type != changed[property].type)
-        m_text += std::string("property ") + ply_type_name(changed[property].type) + " " + m_header.elements[element - 1].properties[property].name;
+        m_text += std::string("property ") + ply_type_name(changed[property].type) + " "
+                  + m_header.elements[element - 1].properties[property].name;
       else
         m_text += line;
       property += key == "property";
@@ -193,7 +202,9 @@ private:
   // From text to text a number that is as it was is spelled as it was.
   void write_number(const Change& change, double before, std::size_t i, const Ply_numbers& numbers, Ply_body& body)
   {
-    const double x = change.column ? change.column->values[i] : change.coordinate >= 0 ? m_file.points[i][change.coordinate] : before;
+    const double x = change.column            ? change.column->values[i]
+                     : change.coordinate >= 0 ? m_file.points[i][change.coordinate]
+                                              : before;
     if(x == before && m_order == Order::ASCII && m_header.order == Order::ASCII)
       body.add_word(numbers.last_word());
     else if(x == before && m_header.order == Order::ASCII && !(fits(x, change.type) && in_range(x, change.type) == x))
@@ -238,7 +249,8 @@ std::string new_ply(const Mesh_file& file, const Output_form& form)
   const Order order = order_of(form.encoding, Order::SAME);
   Columns vertex_columns = ply_columns(file.vertex_columns);
   const Columns face_columns = file.format == File_format::STL ? Columns() : ply_columns(file.face_columns);
-  if(const std::vector<Vector> normals = vertex_normals_of_file(file); !normals.empty() && !vertex_columns.has_normals())
+  if(const std::vector<Vector> normals = vertex_normals_of_file(file);
+     !normals.empty() && !vertex_columns.has_normals())
     for(int i = 0; i < 3; ++i)
     {
       vertex_columns.push_back({std::string("n") + "xyz"[i], type, {}});
@@ -250,11 +262,13 @@ std::string new_ply(const Mesh_file& file, const Output_form& form)
     most_corners = (std::max)(most_corners, std::size_t(file.polygons[f].size()));
   const Number_type size_type = most_corners < 256 ? Number_type::UINT8 : Number_type::UINT32;
 
-  std::string text = std::string("ply\nformat ") + format_name(order) + " 1.0\nelement vertex " + std::to_string(file.points.size()) + "\n";
+  std::string text = std::string("ply\nformat ") + format_name(order) + " 1.0\nelement vertex "
+                     + std::to_string(file.points.size()) + "\n";
   for(const char* name : {"x", "y", "z"})
     text += std::string("property ") + ply_type_name(type) + " " + name + "\n";
   add_properties(text, vertex_columns);
-  text += "element face " + std::to_string(file.polygons.size()) + "\nproperty list " + ply_type_name(size_type) + " int vertex_indices\n";
+  text += "element face " + std::to_string(file.polygons.size()) + "\nproperty list " + ply_type_name(size_type)
+          + " int vertex_indices\n";
   add_properties(text, face_columns);
   text += "end_header\n";
   text.reserve(text.size() + (order == Order::ASCII ? 2 : 1) * (file.points.size() * 8 * (3 + vertex_columns.size())

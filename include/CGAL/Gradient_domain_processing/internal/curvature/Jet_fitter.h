@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_CURVATURE_JET_FITTER_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_CURVATURE_JET_FITTER_H
@@ -56,7 +61,8 @@ private:
     if(!(m_monge.condition_number() < max_condition_number))
       return false;
 
-    // A height above the tangent plane bends down, away from the outward normal, where the surface is convex: hence the signs.
+    // A height above the tangent plane bends down, away from the outward normal, where the surface is convex: hence the
+    // signs.
     monge.comply_wrt_given_normal(typename Kernel::Vector_3(normal.x(), normal.y(), normal.z()));
     const Principal_curvatures fitted = { -monge.principal_curvatures(0), -monge.principal_curvatures(1),
                                           as_unit(monge.maximal_principal_direction()),

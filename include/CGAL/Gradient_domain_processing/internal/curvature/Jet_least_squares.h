@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_CURVATURE_JET_LEAST_SQUARES_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_CURVATURE_JET_LEAST_SQUARES_H
@@ -18,9 +23,9 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// A model of `SvdTraits` for `Monge_via_jet_fitting`: QR with column pivoting in storage of bounded size, so that a fit neither
-// iterates nor allocates. One type serves all degrees: each would be compiled with all of the fitting otherwise. It is a
-// template, as what is made of it, so that only programs that fit jets compile them.
+// A model of `SvdTraits` for `Monge_via_jet_fitting`: QR with column pivoting in storage of bounded size, so that a fit
+// neither iterates nor allocates. One type serves all degrees: each would be compiled with all of the fitting
+// otherwise. It is a template, as what is made of it, so that only programs that fit jets compile them.
 template <class FT_>
 struct Jet_least_squares
 {
@@ -41,11 +46,12 @@ struct Jet_least_squares
     Eigen_type& eigen_object() { return *this; }
   };
 
-  class Matrix
-    : public Eigen::Matrix<FT, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_number_of_points, max_number_of_coefficients>
+  class Matrix : public Eigen::Matrix<FT, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_number_of_points,
+                                      max_number_of_coefficients>
   {
   public:
-    typedef Eigen::Matrix<FT, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_number_of_points, max_number_of_coefficients>
+    typedef Eigen::Matrix<FT, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_number_of_points,
+                          max_number_of_coefficients>
       Eigen_type;
 
     Matrix(std::size_t n, std::size_t m) : Eigen_type(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(m)) { }

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_CURVATURE_RING_COLLECTOR_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_CURVATURE_RING_COLLECTOR_H
@@ -16,8 +21,8 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Rings of vertices around a vertex by breadth-first search, one ring at a time. A vertex whose normal points away from the
-// center's is another sheet of the surface (the far side of a thin part) and ends the search there.
+// Rings of vertices around a vertex by breadth-first search, one ring at a time. A vertex whose normal points away from
+// the center's is another sheet of the surface (the far side of a thin part) and ends the search there.
 // Visits are stamped, so that a new start costs nothing; one object serves one thread.
 class Ring_collector
 {
@@ -34,7 +39,8 @@ public:
     m_ring_begin = 0;
   }
 
-  // Adds the next ring, thinned evenly if there would be more than `max_size` vertices. False if nothing is left to add.
+  // Adds the next ring, thinned evenly if there would be more than `max_size` vertices. False if nothing is left to
+  // add.
   bool add_ring(std::size_t max_size)
   {
     const std::size_t ring_end = m_vertices.size();

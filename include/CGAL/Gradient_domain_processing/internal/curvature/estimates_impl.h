@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_CURVATURE_ESTIMATES_IMPL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_CURVATURE_ESTIMATES_IMPL_H
@@ -21,16 +26,16 @@ namespace Gradient_domain_processing {
 namespace internal {
 
 template <class Void>
-bool vertex_curvatures_by_jets(const Indexed_triangles& mesh, const std::vector<Vec3>& points, const std::vector<Vec3>& normals,
-                               int jet_degree, bool parallel, const std::function<bool(double)>& go_on,
-                               std::vector<Principal_curvatures>& curvatures)
+bool vertex_curvatures_by_jets(const Indexed_triangles& mesh, const std::vector<Vec3>& points,
+                               const std::vector<Vec3>& normals, int jet_degree, bool parallel,
+                               const std::function<bool(double)>& go_on, std::vector<Principal_curvatures>& curvatures)
 {
   const Lists rings = mesh.one_rings(parallel);
   return jet_curvatures(parallel, points, rings.offsets, rings.items, normals, jet_degree, go_on, curvatures);
 }
 
-CGAL_GDP_INLINE std::vector<Principal_curvatures> triangle_curvatures(const Indexed_triangles& mesh, bool parallel,
-                                                                      const std::vector<Principal_curvatures>& at_vertices)
+CGAL_GDP_INLINE std::vector<Principal_curvatures> triangle_curvatures(
+  const Indexed_triangles& mesh, bool parallel, const std::vector<Principal_curvatures>& at_vertices)
 {
   std::vector<Principal_curvatures> curvatures(mesh.triangles.size());
   parallel_for(parallel, curvatures.size(), [&](std::size_t f) {
@@ -41,7 +46,8 @@ CGAL_GDP_INLINE std::vector<Principal_curvatures> triangle_curvatures(const Inde
   return curvatures;
 }
 
-CGAL_GDP_INLINE std::vector<Principal_curvatures> triangle_curvatures_by_normals(const Indexed_triangles& mesh, bool parallel,
+CGAL_GDP_INLINE std::vector<Principal_curvatures> triangle_curvatures_by_normals(const Indexed_triangles& mesh,
+                                                                                 bool parallel,
                                                                                  std::vector<Vec3> normals)
 {
   parallel_for(parallel, normals.size(), [&](std::size_t v) {
@@ -59,9 +65,10 @@ CGAL_GDP_INLINE std::vector<Principal_curvatures> triangle_curvatures_by_normals
 }
 
 #ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
-template bool vertex_curvatures_by_jets<>(const Indexed_triangles& mesh, const std::vector<Vec3>& points, const std::vector<Vec3>& normals,
-                                         int jet_degree, bool parallel, const std::function<bool(double)>& go_on,
-                                         std::vector<Principal_curvatures>& curvatures);
+template bool vertex_curvatures_by_jets<>(const Indexed_triangles& mesh, const std::vector<Vec3>& points,
+                                          const std::vector<Vec3>& normals, int jet_degree, bool parallel,
+                                          const std::function<bool(double)>& go_on,
+                                          std::vector<Principal_curvatures>& curvatures);
 #endif
 
 } // namespace internal

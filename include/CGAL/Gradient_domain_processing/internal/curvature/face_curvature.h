@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_CURVATURE_FACE_CURVATURE_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_CURVATURE_FACE_CURVATURE_H
@@ -13,8 +18,8 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Curvatures of a triangle from those of its corners: the mean of the three tensors k1 d1 d1^T + k2 d2 d2^T, projected to
-// the triangle's plane. Means of angles would not know that d and -d are the same direction.
+// Curvatures of a triangle from those of its corners: the mean of the three tensors k1 d1 d1^T + k2 d2 d2^T, projected
+// to the triangle's plane. Means of angles would not know that d and -d are the same direction.
 // A triangle without a height has no plane to project to and is flat.
 inline Principal_curvatures triangle_curvatures(const Vec3& p0, const Vec3& p1, const Vec3& p2,
                                                 const Principal_curvatures& c0, const Principal_curvatures& c1,

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_CURVATURE_JET_CURVATURE_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_CURVATURE_JET_CURVATURE_H
@@ -88,8 +93,9 @@ private:
   Fitter m_fit;
   typename Fitter::Points m_neighborhood;
 
-  // Two rings around a vertex of degree six hold 19 points, three hold 37: enough to average some noise away at degree 2 and 3
-  // (6 and 10 coefficients) and at degree 4 (15). Where valences are low, or a border cuts the rings, more rings follow.
+  // Two rings around a vertex of degree six hold 19 points, three hold 37: enough to average some noise away at degree
+  // 2 and 3 (6 and 10 coefficients) and at degree 4 (15). Where valences are low, or a border cuts the rings, more
+  // rings follow.
   int m_number_of_rings;
   std::size_t m_wanted_number_of_points;
 };
@@ -121,7 +127,8 @@ bool jet_curvatures_in_parallel(const std::vector<Vec3>& points, const std::vect
                                 const std::function<bool(double)>& go_on, std::vector<Principal_curvatures>& result)
 {
   typedef Jet_curvature_estimator<Fitter> Estimator;
-  tbb::enumerable_thread_specific<Estimator> estimators([&]{ return Estimator(points, offsets, neighbors, normals, degree); });
+  tbb::enumerable_thread_specific<Estimator> estimators(
+    [&] { return Estimator(points, offsets, neighbors, normals, degree); });
   std::mutex mutex;
   std::size_t done = 0;
   bool is_cancelled = false;
@@ -147,10 +154,10 @@ bool jet_curvatures_in_parallel(const std::vector<Vec3>& points, const std::vect
 #endif
 
 // Principal curvatures at the vertices from jets of `degree` 2, 3 or 4 (others count as the nearest of these) fitted to
-// rings of neighbors. Rings are given end to end: those of v are neighbors[offsets[v] .. offsets[v+1]). Normals are unit
-// outward normals and tell the sign; zero where unknown. A vertex without a well determined jet is flat.
-// `go_on(progress)` is called by one thread at a time; once it answers false, so does this function, and `result` is not
-// complete. The answer is the same to the bit whatever the concurrency.
+// rings of neighbors. Rings are given end to end: those of v are neighbors[offsets[v] .. offsets[v+1]). Normals are
+// unit outward normals and tell the sign; zero where unknown. A vertex without a well determined jet is flat.
+// `go_on(progress)` is called by one thread at a time; once it answers false, so does this function, and `result` is
+// not complete. The answer is the same to the bit whatever the concurrency.
 template <class Fitter = Jet_fitter<> >
 bool jet_curvatures(bool parallel, const std::vector<Vec3>& points, const std::vector<int>& offsets,
                     const std::vector<int>& neighbors, const std::vector<Vec3>& normals, int degree,

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_CURVATURE_NORMAL_CURVATURE_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_CURVATURE_NORMAL_CURVATURE_H
@@ -13,9 +18,9 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Curvatures of a triangle from the change of the unit normals at its corners: the symmetric part of the derivative of the
-// normal, which is II_ij = (t_i . dn_j + t_j . dn_i) / 2 seen from an orthonormal frame in place of two sides t_1, t_2.
-// A triangle without a height is flat.
+// Curvatures of a triangle from the change of the unit normals at its corners: the symmetric part of the derivative of
+// the normal, which is II_ij = (t_i . dn_j + t_j . dn_i) / 2 seen from an orthonormal frame in place of two sides t_1,
+// t_2. A triangle without a height is flat.
 inline Principal_curvatures triangle_curvatures(const Vec3& p0, const Vec3& p1, const Vec3& p2,
                                                 const Vec3& n0, const Vec3& n1, const Vec3& n2)
 {

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_CURVATURE_TANGENT_FRAME_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_CURVATURE_TANGENT_FRAME_H
@@ -24,7 +29,8 @@ struct Tangent_frame
   Vec3 e1, e2;
 };
 
-// Some frame orthogonal to `normal`; the same one for the same normal. A zero or non-finite normal counts as the z axis.
+// Some frame orthogonal to `normal`; the same one for the same normal. A zero or non-finite normal counts as the z
+// axis.
 inline Tangent_frame frame_of_normal(const Vec3& normal)
 {
   const double size = normal.cwiseAbs().maxCoeff();
@@ -46,8 +52,8 @@ inline Principal_curvatures flat_curvatures(const Tangent_frame& frame)
   return { 0., 0., frame.e1, frame.e2 };
 }
 
-// Eigenpairs of the curvature tensor [a b; b c] given in `frame`. The larger eigenvector is built from the sum that does
-// not cancel; the frame itself answers for an umbilic point.
+// Eigenpairs of the curvature tensor [a b; b c] given in `frame`. The larger eigenvector is built from the sum that
+// does not cancel; the frame itself answers for an umbilic point.
 inline Principal_curvatures diagonalize(double a, double b, double c, const Tangent_frame& frame)
 {
   const double mean = a / 2 + c / 2;

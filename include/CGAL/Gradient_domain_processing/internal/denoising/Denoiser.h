@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_DENOISER_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_DENOISER_H
@@ -29,8 +34,8 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Normals and positions in turn. Normals are a signal on the faces, filtered by a graph Laplacian that similar normals weight;
-// positions are fitted to the gradients whose part along the filtered normals is taken away.
+// Normals and positions in turn. Normals are a signal on the faces, filtered by a graph Laplacian that similar normals
+// weight; positions are fitted to the gradients whose part along the filtered normals is taken away.
 class Denoiser
 {
   const Indexed_triangles& m_mesh;
@@ -46,10 +51,16 @@ class Denoiser
   double m_reach = 1; // in edges: the scale of the noise
 
 public:
-  Denoiser(const Indexed_triangles& mesh, const std::vector<char>& is_constrained, const Denoising_options& options, bool parallel,
-           const std::vector<Vec3>& points, Denoising_summary& summary)
-    : m_mesh(mesh), m_options(options), m_summary(summary), m_parallel(parallel), m_is_constrained(is_constrained)
-    , m_dual(mesh, parallel), m_rings(mesh.one_rings(parallel)), m_input(points)
+  Denoiser(const Indexed_triangles& mesh, const std::vector<char>& is_constrained, const Denoising_options& options,
+           bool parallel, const std::vector<Vec3>& points, Denoising_summary& summary)
+    : m_mesh(mesh)
+    , m_options(options)
+    , m_summary(summary)
+    , m_parallel(parallel)
+    , m_is_constrained(is_constrained)
+    , m_dual(mesh, parallel)
+    , m_rings(mesh.one_rings(parallel))
+    , m_input(points)
   {}
 
   Error_code operator()(Progress& progress, std::vector<Vec3>& points)
@@ -154,7 +165,9 @@ private:
       m_noise.level = *m_options.noise_level;
     if(is_named && !is_white)
       m_noise.share = 1;
-    m_reach = (std::max)(1., m_options.noise_scale.value_or(is_correlated ? denoising::correlated_scale : is_white ? 1 : denoising::rest_scale));
+    m_reach = (std::max)(1., m_options.noise_scale.value_or(is_correlated ? denoising::correlated_scale
+                                                            : is_white    ? 1
+                                                                          : denoising::rest_scale));
     m_summary.noise_level = m_noise.level;
     m_summary.noise_share = m_noise.share;
     m_summary.noise_scale = m_noise.level > 0 && m_reach > 1 ? m_reach : 0;
@@ -166,7 +179,8 @@ private:
   {
     const double weight = m_options.value_weight.value_or(denoising::value_weight / m_reach);
     const double least = denoising::border_value_weight;
-    const double at_border = (std::max)(least, (std::min)(least / (std::max)(m_noise.border_variance, 1e-12), (std::max)(100., least)));
+    const double at_border =
+      (std::max)(least, (std::min)(least / (std::max)(m_noise.border_variance, 1e-12), (std::max)(100., least)));
     fit.set_weights([&](int v) { return m_is_outlier[v] ? 0 : m_mesh.is_on_border[v] ? weight * at_border : weight; },
                     [&](int v) { return !m_is_constrained[v]; });
   }
@@ -220,7 +234,10 @@ private:
   }
 
   // The farthest pass of a smooth surface that pays is one of these.
-  static bool may_be_last(int passes) { return passes == denoising::smooth_passes || passes == denoising::smooth_passes + 1; }
+  static bool may_be_last(int passes)
+  {
+    return passes == denoising::smooth_passes || passes == denoising::smooth_passes + 1;
+  }
 
   bool is_at_end(int passes, bool removes_detail, const std::vector<Vec3>& before, const Face_geometry& faces,
                  Normal_variation& variation, std::vector<Vec3>& points) const
@@ -247,7 +264,8 @@ private:
   // The first, strong passes over heavy noise look correlated and recover.
   double most_correlation() const
   {
-    return denoising::residual_correlation * (std::max)(m_noise.share, 0.4) * (1 + 2 * (std::max)(0., m_noise.level - 0.5));
+    return denoising::residual_correlation * (std::max)(m_noise.share, 0.4)
+           * (1 + 2 * (std::max)(0., m_noise.level - 0.5));
   }
 
   bool may_get_detail_back(int v) const { return !m_is_constrained[v] && !m_is_outlier[v] && !m_mesh.is_on_border[v]; }

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_DENOISING_OPTIONS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_DENOISING_OPTIONS_H
@@ -23,9 +28,11 @@ struct Denoising_options
 
   bool are_valid() const
   {
-    const auto is_at_least = [](const std::optional<double>& x, double least) { return !x || (*x >= least && std::isfinite(*x)); };
-    return (!number_of_iterations || *number_of_iterations >= 0) && is_at_least(noise_level, 0) && is_at_least(noise_scale, 0)
-        && is_at_least(value_weight, 0) && (!value_weight || *value_weight > 0);
+    const auto is_at_least = [](const std::optional<double>& x, double least) {
+      return !x || (*x >= least && std::isfinite(*x));
+    };
+    return (!number_of_iterations || *number_of_iterations >= 0) && is_at_least(noise_level, 0)
+           && is_at_least(noise_scale, 0) && is_at_least(value_weight, 0) && (!value_weight || *value_weight > 0);
   }
 };
 

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_DUAL_GRAPH_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_DUAL_GRAPH_H
@@ -17,8 +22,8 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// The triangles as nodes, an edge between any two that share an edge of the mesh with no third one. So no triangle has more than
-// three neighbors, whatever the mesh.
+// The triangles as nodes, an edge between any two that share an edge of the mesh with no third one. So no triangle has
+// more than three neighbors, whatever the mesh.
 class Dual_graph
 {
   std::vector<std::array<int, 3> > m_neighbors;

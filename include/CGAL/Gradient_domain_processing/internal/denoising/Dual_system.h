@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_DUAL_SYSTEM_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_DUAL_SYSTEM_H
@@ -18,8 +23,8 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// The solution g of (A + L) g = A f for values on triangles: A holds their masses, L is the Laplacian of the dual graph with weights
-// for its edges, as often as each of the two triangles sees them.
+// The solution g of (A + L) g = A f for values on triangles: A holds their masses, L is the Laplacian of the dual graph
+// with weights for its edges, as often as each of the two triangles sees them.
 template <class Value>
 class Dual_system
 {

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_FACE_GEOMETRY_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_FACE_GEOMETRY_H
@@ -22,8 +27,8 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Normals of length one, zero where there is none, and areas, of all faces. Where the triangles are not oriented alike, normals are.
-// Areas are bounded below by a millionth of their mean, so that a system with them as masses is definite.
+// Normals of length one, zero where there is none, and areas, of all faces. Where the triangles are not oriented alike,
+// normals are. Areas are bounded below by a millionth of their mean, so that a system with them as masses is definite.
 struct Face_geometry
 {
   std::vector<Vec3> normals;
@@ -46,8 +51,8 @@ struct Face_geometry
   }
 };
 
-inline std::vector<Vec3> vertex_normals(const Indexed_triangles& mesh, const std::vector<double>& areas, const std::vector<Vec3>& normals,
-                                        bool parallel)
+inline std::vector<Vec3> vertex_normals(const Indexed_triangles& mesh, const std::vector<double>& areas,
+                                        const std::vector<Vec3>& normals, bool parallel)
 {
   std::vector<Vec3> result(mesh.points.size());
   parallel_for(parallel, result.size(), [&](std::size_t v) {
@@ -98,8 +103,8 @@ struct Normal_variation
   // 40 degrees from face to face: noise has folded what is there, and creases come out of it late if at all.
   bool is_of_folded_surface() const { return root_mean_square > 0.7; }
 
-  // Flat pieces between creases have a small median, and go on to become flatter; where nothing stands out, there is no detail
-  // to lose.
+  // Flat pieces between creases have a small median, and go on to become flatter; where nothing stands out, there is no
+  // detail to lose.
   bool is_of_smooth_surface(const Normal_variation& before) const
   {
     return median > 0.22 * root_mean_square && median < 0.6 * root_mean_square

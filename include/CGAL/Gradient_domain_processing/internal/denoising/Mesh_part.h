@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_MESH_PART_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_MESH_PART_H
@@ -25,7 +30,8 @@ struct Mesh_part
   Indexed_triangles mesh;
   std::vector<int> vertices; // in the whole mesh
 
-  Mesh_part(const Indexed_triangles& whole, std::vector<int> of_whole, std::vector<int>& place) : vertices(std::move(of_whole))
+  Mesh_part(const Indexed_triangles& whole, std::vector<int> of_whole, std::vector<int>& place)
+    : vertices(std::move(of_whole))
   {
     mesh.exponent = whole.exponent;
     std::vector<int> triangles;
@@ -41,7 +47,8 @@ struct Mesh_part
     }
     std::sort(triangles.begin(), triangles.end());
     for(int f : triangles)
-      mesh.triangles.push_back({{place[whole.triangles[f][0]], place[whole.triangles[f][1]], place[whole.triangles[f][2]]}});
+      mesh.triangles.push_back(
+        {{place[whole.triangles[f][0]], place[whole.triangles[f][1]], place[whole.triangles[f][2]]}});
     mesh.index_corners();
   }
 };

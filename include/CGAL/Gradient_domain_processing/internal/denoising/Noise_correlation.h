@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_NOISE_CORRELATION_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_NOISE_CORRELATION_H
@@ -24,7 +29,8 @@ namespace Gradient_domain_processing {
 namespace internal {
 
 // What an implicit smoothing with the uniform graph Laplacian takes away from every vertex, along its normal.
-inline std::vector<double> fine_heights(const Lists& rings, const std::vector<Vec3>& points, const std::vector<Vec3>& normals, bool parallel)
+inline std::vector<double> fine_heights(const Lists& rings, const std::vector<Vec3>& points,
+                                        const std::vector<Vec3>& normals, bool parallel)
 {
   const std::size_t n = points.size();
   const double weight = denoising::fine_smoothing;
@@ -41,15 +47,18 @@ inline std::vector<double> fine_heights(const Lists& rings, const std::vector<Ve
     inverse_diagonal[v] = rings.size(int(v)) > 0 ? 1 / ((1 + weight) * rings.size(int(v))) : 0;
   });
   Conjugate_gradients<Vec3> solve(parallel);
-  solve([&](const std::vector<Vec3>& p, int v) { return Vec3(double(rings.size(v)) * p[v] + weight * difference(p, v)); },
-        inverse_diagonal, right, 1e-3, denoising::most_solver_steps, change);
+  solve(
+    [&](const std::vector<Vec3>& p, int v) { return Vec3(double(rings.size(v)) * p[v] + weight * difference(p, v)); },
+    inverse_diagonal, right, 1e-3, denoising::most_solver_steps, change);
   std::vector<double> heights(n);
   parallel_for(parallel, n, [&](std::size_t v) { heights[v] = -normals[v].dot(change[v]); });
   return heights;
 }
 
-// The correlation of numbers on the vertices, clipped at 1 and 99 percent, at graph distances from 0 on, from a sample of them.
-inline std::array<double, 5> correlation_by_distance(const Indexed_triangles& mesh, const Lists& rings, std::vector<double> numbers)
+// The correlation of numbers on the vertices, clipped at 1 and 99 percent, at graph distances from 0 on, from a sample
+// of them.
+inline std::array<double, 5> correlation_by_distance(const Indexed_triangles& mesh, const Lists& rings,
+                                                     std::vector<double> numbers)
 {
   std::vector<double> sorted = numbers;
   const std::size_t n = sorted.size();
@@ -95,19 +104,20 @@ inline std::array<double, 5> correlation_by_distance(const Indexed_triangles& me
   return sums;
 }
 
-// Shape decays slowly from distance to distance, white noise is at distance 0 alone. What stands at distance 1 above the geometric
-// extrapolation from 2 and 4 is correlated noise.
+// Shape decays slowly from distance to distance, white noise is at distance 0 alone. What stands at distance 1 above
+// the geometric extrapolation from 2 and 4 is correlated noise.
 inline double correlated_excess(const std::array<double, 5>& c)
 {
   return c[1] - (c[2] > 0 && c[4] > 0 ? (std::min)(1., c[2] * std::sqrt(c[2] / c[4])) : (std::max)(0., c[2]));
 }
 
 // Whether there is noise that is correlated from vertex to vertex, all over the mesh: a few creases look alike.
-inline bool has_correlated_noise(const Indexed_triangles& mesh, const Dual_graph& dual, const Lists& rings, const std::vector<Vec3>& points,
-                                 const Face_geometry& faces, bool parallel)
+inline bool has_correlated_noise(const Indexed_triangles& mesh, const Dual_graph& dual, const Lists& rings,
+                                 const std::vector<Vec3>& points, const Face_geometry& faces, bool parallel)
 {
   std::vector<double> angles;
-  dual.for_each_edge(mesh, [&](int f, int g, int, int) { angles.push_back((faces.normals[f] - faces.normals[g]).norm()); });
+  dual.for_each_edge(mesh,
+                     [&](int f, int g, int, int) { angles.push_back((faces.normals[f] - faces.normals[g]).norm()); });
   if(angles.empty())
     return false;
   const auto most = angles.begin() + std::ptrdiff_t(angles.size() * 4 / 5);

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_NOISE_ESTIMATE_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_NOISE_ESTIMATE_H
@@ -29,8 +34,8 @@ struct Noise_estimate
   double border_level = 1;      // of face normals at the border, relative to that of all; at most one
 };
 
-// How alike pairs of numbers are: 1 for equal ones, -1 for opposite ones. Medians do not see creases, means do not overlook noise
-// on a few vertices.
+// How alike pairs of numbers are: 1 for equal ones, -1 for opposite ones. Medians do not see creases, means do not
+// overlook noise on a few vertices.
 class Pair_correlation
 {
   std::vector<double> m_differences, m_sums;
@@ -52,16 +57,17 @@ public:
 
   double of_means() const
   {
-    return compare(std::accumulate(m_differences.begin(), m_differences.end(), 0.), std::accumulate(m_sums.begin(), m_sums.end(), 0.));
+    return compare(std::accumulate(m_differences.begin(), m_differences.end(), 0.),
+                   std::accumulate(m_sums.begin(), m_sums.end(), 0.));
   }
 };
 
 constexpr double neither_noise_nor_detail = -1; // but a pattern
 
-// The share n of white noise in the variance of the distances of vertices from the mean of their neighbors, told from the
-// correlations along edges and of the two vertices opposite to an edge, across it. For white noise they are -0.17 and 0.08. For
-// surface detail they are 0.3 to 0.8 and, as those vertices are further apart, about that to the power of 1.4. So n solves
-// across - 0.08 n = (1 - n) ((along + 0.17 n) / (1 - n))^1.4.
+// The share n of white noise in the variance of the distances of vertices from the mean of their neighbors, told from
+// the correlations along edges and of the two vertices opposite to an edge, across it. For white noise they are -0.17
+// and 0.08. For surface detail they are 0.3 to 0.8 and, as those vertices are further apart, about that to the power of
+// 1.4. So n solves across - 0.08 n = (1 - n) ((along + 0.17 n) / (1 - n))^1.4.
 inline double noise_share(double along, double across)
 {
   constexpr double noise_along = -0.17, noise_across = 0.08;
@@ -73,7 +79,8 @@ inline double noise_share(double along, double across)
     return (of_detail - correlation) / (of_detail - of_noise);
   };
   const double least = share(along, noise_along, least_detail_along);
-  const double most = (std::min)(share(along, noise_along, most_detail_along), share(across, noise_across, most_detail_across));
+  const double most =
+    (std::min)(share(along, noise_along, most_detail_along), share(across, noise_across, most_detail_across));
   if(least > most + tolerance)
     return neither_noise_nor_detail;
   for(int i = 0; i < steps; ++i)
@@ -115,7 +122,8 @@ struct Roughness
 };
 
 // A corner of two triangles in one plane was not displaced. Nearly all vertices of refined facets are such.
-inline bool is_faceted(const Indexed_triangles& mesh, const Face_geometry& faces, const Dual_graph& dual, double roughness)
+inline bool is_faceted(const Indexed_triangles& mesh, const Face_geometry& faces, const Dual_graph& dual,
+                       double roughness)
 {
   std::vector<char> is_in_place(mesh.points.size(), 0);
   dual.for_each_edge(mesh, [&](int f, int g, int, int) {
@@ -141,7 +149,8 @@ class Vertex_offsets
   std::vector<double> m_noise_inside, m_noise_of_border; // absolute, made comparable
 
 public:
-  Vertex_offsets(const Indexed_triangles& mesh, const std::vector<Vec3>& normals, const Lists& rings) : m_offsets(mesh.points.size(), 0)
+  Vertex_offsets(const Indexed_triangles& mesh, const std::vector<Vec3>& normals, const Lists& rings)
+    : m_offsets(mesh.points.size(), 0)
   {
     for(int v = 0; v < mesh.number_of_vertices(); ++v)
     {
@@ -196,7 +205,8 @@ inline Noise_estimate estimate_noise(const Indexed_triangles& mesh, const Face_g
 {
   constexpr double normal_noise_by_roughness = 1.5;
   constexpr double level_of_clean_meshes = 0.07; // curvature and coarse triangulation look like so much noise
-  const double share_of_clean_meshes = 0.08 + 1 / std::sqrt(1. + 1.5 * double(faces.normals.size())); // as exactly as a share is known
+  // as exactly as a share is known
+  const double share_of_clean_meshes = 0.08 + 1 / std::sqrt(1. + 1.5 * double(faces.normals.size()));
 
   const Roughness roughness(mesh, faces, dual);
   const Vertex_offsets offsets(mesh, vertex_normals(mesh, faces.areas, faces.normals, parallel), rings);
@@ -209,7 +219,8 @@ inline Noise_estimate estimate_noise(const Indexed_triangles& mesh, const Face_g
     noise.border_level = roughness.of_border_faces / roughness.of_faces;
   noise.roughness_level = normal_noise_by_roughness * roughness.of_faces;
   const double level = noise.roughness_level * noise.share;
-  if(share > share_of_clean_meshes && level > level_of_clean_meshes && !is_faceted(mesh, faces, dual, roughness.of_faces))
+  if(share > share_of_clean_meshes && level > level_of_clean_meshes
+     && !is_faceted(mesh, faces, dual, roughness.of_faces))
     noise.level = std::sqrt(level * level - level_of_clean_meshes * level_of_clean_meshes);
   return noise;
 }

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_NORMAL_FILTER_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_NORMAL_FILTER_H
@@ -27,7 +32,8 @@ struct Normal_smoothing
   double weight;     // a length
 };
 
-// g = normalize((A + beta L)^-1 A n), with weights l / (1 + |g_a - g_b|^2 / sigma^2)^2 (Geman and McClure) from the last g.
+// g = normalize((A + beta L)^-1 A n), with weights l / (1 + |g_a - g_b|^2 / sigma^2)^2 (Geman and McClure) from the
+// last g.
 class Normal_filter
 {
   const Indexed_triangles& m_mesh;
@@ -43,7 +49,8 @@ public:
 
   // smoothing(f) says it for a triangle; an edge gets the mean of its two.
   template <class Smoothing>
-  void operator()(const std::vector<Vec3>& points, const Face_geometry& faces, const Smoothing& smoothing, std::vector<Vec3>& normals)
+  void operator()(const std::vector<Vec3>& points, const Face_geometry& faces, const Smoothing& smoothing,
+                  std::vector<Vec3>& normals)
   {
     // noise makes triangles larger: the root halves what it adds
     const double mean_area = std::accumulate(faces.areas.begin(), faces.areas.end(), 0.) / double(faces.areas.size());

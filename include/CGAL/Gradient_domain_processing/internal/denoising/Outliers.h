@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_OUTLIERS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_OUTLIERS_H
@@ -20,8 +25,8 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Vertices far outside of where their neighbors are, at the scale of those: spikes. The area-weighted normal of a vertex does not
-// depend on its position, nor does the median of its neighbors' heights along it.
+// Vertices far outside of where their neighbors are, at the scale of those: spikes. The area-weighted normal of a
+// vertex does not depend on its position, nor does the median of its neighbors' heights along it.
 class Outliers
 {
   const Indexed_triangles& m_mesh;
@@ -107,8 +112,8 @@ private:
     });
   }
 
-  // Compared with the neighbors and theirs, in the median, and with the ring. Along a crease, and at a corner, more than one neighbor
-  // stands out; beside other spikes, two may.
+  // Compared with the neighbors and theirs, in the median, and with the ring. Along a crease, and at a corner, more
+  // than one neighbor stands out; beside other spikes, two may.
   bool stands_out(int v, double height, bool is_strong) const
   {
     std::vector<double> ring, all;

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_POSITION_FIT_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_POSITION_FIT_H
@@ -19,9 +24,10 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Equation 1 of the paper for positions, with every triangle equilateral and of edge length one: the values are the input's, the
-// target gradients the part of the current ones that is tangential to given normals. Solved for the change of the current positions,
-// divided by the half_cotangent of such a triangle: an edge then weighs as many times as it has triangles.
+// Equation 1 of the paper for positions, with every triangle equilateral and of edge length one: the values are the
+// input's, the target gradients the part of the current ones that is tangential to given normals. Solved for the change
+// of the current positions, divided by the half_cotangent of such a triangle: an edge then weighs as many times as it
+// has triangles.
 class Position_fit
 {
   const Indexed_triangles& m_mesh;

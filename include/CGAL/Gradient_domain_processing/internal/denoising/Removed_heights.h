@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_REMOVED_HEIGHTS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_REMOVED_HEIGHTS_H
@@ -20,9 +25,10 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// What the passes took away, as heights along normals: r = (input - points) n. Of noise, it is uncorrelated from vertex to vertex; of
-// detail, it is not. So what a smoothing S of a few steps, x -> (x + mean of neighbors) / 2, leaves of r is detail, as far as its mean
-// square E around a vertex is above that of noise, N = t variance(r): the vertex gets (1 - N / E) S r back.
+// What the passes took away, as heights along normals: r = (input - points) n. Of noise, it is uncorrelated from vertex
+// to vertex; of detail, it is not. So what a smoothing S of a few steps, x -> (x + mean of neighbors) / 2, leaves of r
+// is detail, as far as its mean square E around a vertex is above that of noise, N = t variance(r): the vertex gets (1
+// - N / E) S r back.
 class Removed_heights
 {
   const Indexed_triangles& m_mesh;
@@ -37,7 +43,8 @@ public:
 
   void measure(const std::vector<Vec3>& input, const std::vector<Vec3>& points, const std::vector<Vec3>& normals)
   {
-    parallel_for(m_parallel, points.size(), [&](std::size_t v) { m_heights[v] = (input[v] - points[v]).dot(normals[v]); });
+    parallel_for(m_parallel, points.size(),
+                 [&](std::size_t v) { m_heights[v] = (input[v] - points[v]).dot(normals[v]); });
   }
 
   // of neighbors

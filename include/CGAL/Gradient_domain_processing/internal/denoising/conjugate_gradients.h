@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_CONJUGATE_GRADIENTS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_CONJUGATE_GRADIENTS_H
@@ -19,9 +24,10 @@ namespace internal {
 inline double inner_product(double a, double b) { return a * b; }
 inline double inner_product(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-// Preconditioned by the diagonal, for a symmetric positive definite matrix whose product with p has row(p, i) as its i-th
-// element. The channels of a vector share their step lengths, so that rotating them rotates the result. Elements with an inverse
-// diagonal of 0 stay as they are. From x on, to a residual of `tolerance` relative to that of x = 0; says whether it came there.
+// Preconditioned by the diagonal, for a symmetric positive definite matrix whose product with p has row(p, i) as its
+// i-th element. The channels of a vector share their step lengths, so that rotating them rotates the result. Elements
+// with an inverse diagonal of 0 stay as they are. From x on, to a residual of `tolerance` relative to that of x = 0;
+// says whether it came there.
 template <class Value>
 class Conjugate_gradients
 {
@@ -34,8 +40,8 @@ public:
   explicit Conjugate_gradients(bool parallel) : m_parallel(parallel) {}
 
   template <class Row>
-  bool operator()(const Row& row, const std::vector<double>& inverse_diagonal, const std::vector<Value>& right, double tolerance,
-                  int most_steps, std::vector<Value>& x)
+  bool operator()(const Row& row, const std::vector<double>& inverse_diagonal, const std::vector<Value>& right,
+                  double tolerance, int most_steps, std::vector<Value>& x)
   {
     const std::size_t n = x.size();
     m_residual.resize(n);

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_DENOISE_POINTS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_DENOISE_POINTS_H
@@ -35,8 +40,9 @@ inline void merge(const Denoising_summary& part, Denoising_summary& whole)
 }
 
 inline Error_code denoise_parts(const Indexed_triangles& mesh, const std::vector<std::vector<int> >& parts,
-                                const std::vector<char>& is_constrained, const Denoising_options& options, bool parallel,
-                                Progress& progress, std::vector<Vec3>& points, Denoising_summary& summary)
+                                const std::vector<char>& is_constrained, const Denoising_options& options,
+                                bool parallel, Progress& progress, std::vector<Vec3>& points,
+                                Denoising_summary& summary)
 {
   std::vector<int> place(mesh.points.size());
   for(const std::vector<int>& vertices : parts)
@@ -59,10 +65,11 @@ inline Error_code denoise_parts(const Indexed_triangles& mesh, const std::vector
   return ok;
 }
 
-// Constrained vertices stay where they are, to the bit. Every component of the mesh has noise of its own. On an error, `points` are
-// to be thrown away; they may be those of the mesh.
-inline Error_code denoise_points(const Indexed_triangles& mesh, const std::vector<char>& is_constrained, const Denoising_options& options,
-                                 bool parallel, Progress& progress, std::vector<Vec3>& points, Denoising_summary& summary)
+// Constrained vertices stay where they are, to the bit. Every component of the mesh has noise of its own. On an error,
+// `points` are to be thrown away; they may be those of the mesh.
+inline Error_code denoise_points(const Indexed_triangles& mesh, const std::vector<char>& is_constrained,
+                                 const Denoising_options& options, bool parallel, Progress& progress,
+                                 std::vector<Vec3>& points, Denoising_summary& summary)
 {
   summary = Denoising_summary();
   if(!options.are_valid())

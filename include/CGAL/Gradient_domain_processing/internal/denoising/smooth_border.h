@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_SMOOTH_BORDER_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_DENOISING_SMOOTH_BORDER_H
@@ -19,9 +24,10 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Border vertices between two others follow the curve: (w + L) x = w x_input with the Laplacian of the curve and edges of length one.
-inline void smooth_border(const Indexed_triangles& mesh, const Dual_graph& dual, const std::vector<char>& is_constrained,
-                          bool parallel, std::vector<Vec3>& points)
+// Border vertices between two others follow the curve: (w + L) x = w x_input with the Laplacian of the curve and edges
+// of length one.
+inline void smooth_border(const Indexed_triangles& mesh, const Dual_graph& dual,
+                          const std::vector<char>& is_constrained, bool parallel, std::vector<Vec3>& points)
 {
   const std::size_t n = points.size();
   std::vector<std::array<int, 2> > sides(n, {{-1, -1}});
@@ -36,7 +42,9 @@ inline void smooth_border(const Indexed_triangles& mesh, const Dual_graph& dual,
   const double weight = denoising::border_curve_weight;
   std::vector<double> inverse_diagonal(n, 0);
   std::vector<Vec3> right(n, Vec3(0, 0, 0)), change = right;
-  const auto differences = [&](const std::vector<Vec3>& p, int v) { return Vec3(p[v] - p[sides[v][0]] + p[v] - p[sides[v][1]]); };
+  const auto differences = [&](const std::vector<Vec3>& p, int v) {
+    return Vec3(p[v] - p[sides[v][0]] + p[v] - p[sides[v][1]]);
+  };
   for(int v = 0; v < int(n); ++v)
     if(sides[v][1] >= 0 && !is_constrained[v])
     {

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_LINEAR_SYSTEM_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_LINEAR_SYSTEM_H
@@ -26,8 +31,8 @@ namespace Gradient_domain_processing {
 namespace internal {
 
 // The system (alpha M + beta S) (g - f) = beta (D v - S f) (eq. 2) on arrays; with a term of second order,
-// (alpha M + beta S + gamma Q) (g - f) = beta (D v - S f) - gamma Q f. It is solved for the change of the signal, so that the rounding
-// error is that of the change, and what need not change does not.
+// (alpha M + beta S + gamma Q) (g - f) = beta (D v - S f) - gamma Q f. It is solved for the change of the signal, so
+// that the rounding error is that of the change, and what need not change does not.
 class Linear_system
 {
 public:
@@ -108,15 +113,17 @@ public:
 
   Error_code factorize(Progress& progress);
 
-  // The change g - f of a signal whose target is given by what it asks for beyond the signal's own gradients (see right_hand_side.h),
-  // by vertex. On entry, `displacement` holds the change of the constrained vertices, if `displaces_constraints`.
-  // Where an iterative solver does not converge, Cholesky takes its place, from then on.
+  // The change g - f of a signal whose target is given by what it asks for beyond the signal's own gradients (see
+  // right_hand_side.h), by vertex. On entry, `displacement` holds the change of the constrained vertices, if
+  // `displaces_constraints`. Where an iterative solver does not converge, Cholesky takes its place, from then on.
   template <class Target_field>
-  Error_code solve(const Target_field& target, Progress& progress, Signal& displacement, bool displaces_constraints = false);
+  Error_code solve(const Target_field& target, Progress& progress, Signal& displacement,
+                   bool displaces_constraints = false);
 
 private:
   template <class Target_field>
-  Error_code solve_as_it_is(const Target_field& target, Progress& progress, Signal& displacement, bool displaces_constraints);
+  Error_code solve_as_it_is(const Target_field& target, Progress& progress, Signal& displacement,
+                            bool displaces_constraints);
 
   // False where it cannot be hoped for.
   bool turn_to_cholesky(Progress& progress);
@@ -125,10 +132,13 @@ private:
   bool has_second_order() const { return bool(m_coefficients.second_order); }
   // Not that of neighbors: the solver sees it with the first values.
   bool has_own_pattern() const { return has_virtual_vertices() || has_second_order(); }
-  const Degrees_of_freedom& assembled_dofs() const { return has_virtual_vertices() ? m_dofs_with_virtual_vertices : m_dofs; }
+  const Degrees_of_freedom& assembled_dofs() const
+  {
+    return has_virtual_vertices() ? m_dofs_with_virtual_vertices : m_dofs;
+  }
 
-  // Orders the degrees of freedom, makes the pattern and lets the solver analyze it. Depends on the connectivity and the constrained
-  // vertices only.
+  // Orders the degrees of freedom, makes the pattern and lets the solver analyze it. Depends on the connectivity and
+  // the constrained vertices only.
   Error_code analyze(Progress& progress);
 
   void assemble_into(Sparse_matrix& matrix);
@@ -136,11 +146,12 @@ private:
   // gamma Q f
   void subtract_second_order(const Signal& by_vertex, Eigen::MatrixXd& residual) const;
 
-  // Components of very different size, or nearly degenerate triangles, may lose the positive definiteness to rounding. A shift
-  // of the diagonal brings it back, and refinement takes the shift out of the solution.
+  // Components of very different size, or nearly degenerate triangles, may lose the positive definiteness to rounding.
+  // A shift of the diagonal brings it back, and refinement takes the shift out of the solution.
   Error_code factorize_or_shift(Sparse_matrix& matrix, Progress& progress);
 
-  Error_code solve_residual(Eigen::MatrixXd& residual, Progress& progress, Signal& displacement, bool displaces_constraints);
+  Error_code solve_residual(Eigen::MatrixXd& residual, Progress& progress, Signal& displacement,
+                            bool displaces_constraints);
 
   // Virtual vertices count with what their constrained corners move them by; the rest of their move is solved for.
   void move_constraints_to_right_hand_side(const Signal& displacement, Eigen::MatrixXd& residual) const;

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_LINEAR_SYSTEM_IMPL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_LINEAR_SYSTEM_IMPL_H
@@ -56,7 +61,8 @@ CGAL_GDP_INLINE Error_code Linear_system::factorize(Progress& progress)
 }
 
 template <class Target_field>
-Error_code Linear_system::solve_as_it_is(const Target_field& target, Progress& progress, Signal& displacement, bool displaces_constraints)
+Error_code Linear_system::solve_as_it_is(const Target_field& target, Progress& progress, Signal& displacement,
+                                         bool displaces_constraints)
 {
   if(const Error_code code = factorize(progress))
     return code;
@@ -66,7 +72,8 @@ Error_code Linear_system::solve_as_it_is(const Target_field& target, Progress& p
     if(!progress.go_on())
       return error_cancelled;
     Stage_scope stage(progress, Stage::ASSEMBLE);
-    residual = target_residual(mesh, m_coefficients.metrics, m_coefficients.weights, assembled_dofs(), target, parallel);
+    residual =
+      target_residual(mesh, m_coefficients.metrics, m_coefficients.weights, assembled_dofs(), target, parallel);
     if(has_second_order())
       subtract_second_order(target.by_vertex(), residual);
   }
@@ -76,7 +83,8 @@ Error_code Linear_system::solve_as_it_is(const Target_field& target, Progress& p
 }
 
 template <class Target_field>
-Error_code Linear_system::solve(const Target_field& target, Progress& progress, Signal& displacement, bool displaces_constraints)
+Error_code Linear_system::solve(const Target_field& target, Progress& progress, Signal& displacement,
+                                bool displaces_constraints)
 {
   const Error_code code = solve_as_it_is(target, progress, displacement, displaces_constraints);
   if(code != error_not_converged || !turn_to_cholesky(progress))
@@ -86,7 +94,8 @@ Error_code Linear_system::solve(const Target_field& target, Progress& progress, 
 
 CGAL_GDP_INLINE bool Linear_system::turn_to_cholesky(Progress& progress)
 {
-  constexpr int largest = 1000000; // degrees of freedom; where there are more, memory may be why no Cholesky was asked for
+  // degrees of freedom; where there are more, memory may be why no Cholesky was asked for
+  constexpr int largest = 1000000;
   if(!m_solver->is_iterative || m_dofs.size() > largest)
     return false;
   m_solver = any_linear_solver(Default_sparse_linear_solver());
@@ -140,8 +149,8 @@ CGAL_GDP_INLINE void Linear_system::assemble_into(Sparse_matrix& matrix)
 {
   if(matrix.rows() == 0)
     set_pattern(m_pattern, parallel, matrix);
-  m_values_weigh_little = assemble(mesh, m_coefficients.metrics, m_coefficients.weights, assembled_dofs(), parallel, matrix,
-                                   !has_second_order());
+  m_values_weigh_little = assemble(mesh, m_coefficients.metrics, m_coefficients.weights, assembled_dofs(), parallel,
+                                   matrix, !has_second_order());
   if(has_second_order())
   {
     m_second_order = m_coefficients.second_order(mesh, m_coefficients.metrics, parallel);
@@ -172,7 +181,8 @@ CGAL_GDP_INLINE Error_code Linear_system::factorize_or_shift(Sparse_matrix& matr
   return m_solver->factorize(matrix, go_on);
 }
 
-CGAL_GDP_INLINE Error_code Linear_system::solve_residual(Eigen::MatrixXd& residual, Progress& progress, Signal& displacement, bool displaces_constraints)
+CGAL_GDP_INLINE Error_code Linear_system::solve_residual(Eigen::MatrixXd& residual, Progress& progress,
+                                                         Signal& displacement, bool displaces_constraints)
 {
   const Eigen::Index channels = residual.cols();
   if(displaces_constraints && has_virtual_vertices())
@@ -204,11 +214,13 @@ CGAL_GDP_INLINE Error_code Linear_system::solve_residual(Eigen::MatrixXd& residu
   return displacement.allFinite() ? ok : error_cannot_solve_linear_system;
 }
 
-CGAL_GDP_INLINE void Linear_system::move_constraints_to_right_hand_side(const Signal& displacement, Eigen::MatrixXd& residual) const
+CGAL_GDP_INLINE void Linear_system::move_constraints_to_right_hand_side(const Signal& displacement,
+                                                                        Eigen::MatrixXd& residual) const
 {
   if(!has_virtual_vertices())
   {
-    move_to_right_hand_side(mesh, m_coefficients.metrics, m_coefficients.weights, m_dofs, displacement, parallel, residual);
+    move_to_right_hand_side(mesh, m_coefficients.metrics, m_coefficients.weights, m_dofs, displacement, parallel,
+                            residual);
     return;
   }
   Sparse_matrix matrix;
@@ -218,7 +230,8 @@ CGAL_GDP_INLINE void Linear_system::move_constraints_to_right_hand_side(const Si
   for(int v = mesh.first_virtual_vertex(); v < mesh.number_of_vertices(); ++v)
     of_virtual.row(assembled_dofs().of_vertex[v]) = displacement.row(v);
   residual -= matrix * of_virtual;
-  move_to_right_hand_side(mesh, m_coefficients.metrics, m_coefficients.weights, assembled_dofs(), displacement, parallel, residual);
+  move_to_right_hand_side(mesh, m_coefficients.metrics, m_coefficients.weights, assembled_dofs(), displacement,
+                          parallel, residual);
 }
 
 CGAL_GDP_INLINE Error_code Linear_system::solve_refined(Eigen::MatrixXd& values, Progress& progress)

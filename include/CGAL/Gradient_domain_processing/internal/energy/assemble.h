@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_ASSEMBLE_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_ASSEMBLE_H
@@ -30,9 +35,9 @@ void for_each_degree_of_freedom(bool parallel, const Degrees_of_freedom& dofs, c
   });
 }
 
-// Fills the values of alpha M + beta S (eq. 2) into its pattern, a column at a time: columns do not touch each other. Answers whether
-// rounding might decide on the constant of a component: the sum of a row, which holds the values' part, is all but lost in its
-// diagonal.
+// Fills the values of alpha M + beta S (eq. 2) into its pattern, a column at a time: columns do not touch each other.
+// Answers whether rounding might decide on the constant of a component: the sum of a row, which holds the values' part,
+// is all but lost in its diagonal.
 bool assemble(const Indexed_triangles& mesh, const Triangle_metrics& metrics, const Energy_weights& weights,
               const Degrees_of_freedom& dofs, bool parallel, Sparse_matrix& matrix, bool is_system = true);
 

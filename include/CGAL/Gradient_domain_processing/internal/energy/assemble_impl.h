@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_ASSEMBLE_IMPL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_ASSEMBLE_IMPL_H
@@ -17,8 +22,9 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-CGAL_GDP_INLINE bool assemble(const Indexed_triangles& mesh, const Triangle_metrics& metrics, const Energy_weights& weights,
-                              const Degrees_of_freedom& dofs, bool parallel, Sparse_matrix& matrix, bool is_system)
+CGAL_GDP_INLINE bool assemble(const Indexed_triangles& mesh, const Triangle_metrics& metrics,
+                              const Energy_weights& weights, const Degrees_of_freedom& dofs, bool parallel,
+                              Sparse_matrix& matrix, bool is_system)
 {
   std::atomic<bool> values_weigh_little(false);
   const int* const offsets = matrix.outerIndexPtr();

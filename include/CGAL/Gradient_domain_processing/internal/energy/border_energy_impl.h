@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_BORDER_ENERGY_IMPL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_BORDER_ENERGY_IMPL_H
@@ -22,8 +27,8 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// The one-dimensional problem on curves, such as the border: the energy with lengths in place of areas and the derivative along the curve
-// in place of the gradient, (alpha M_1 + beta S_1) (g - f) = beta (D_1 v - S_1 f).
+// The one-dimensional problem on curves, such as the border: the energy with lengths in place of areas and the
+// derivative along the curve in place of the gradient, (alpha M_1 + beta S_1) (g - f) = beta (D_1 v - S_1 f).
 class Border_energy
 {
   const Indexed_triangles& m_mesh;
@@ -66,7 +71,8 @@ public:
     for(std::size_t e = 0; e < m_edges.size(); ++e)
       for(bool is_reversed : {false, true})
       {
-        const int from = is_reversed ? m_edges[e].to : m_edges[e].from, to = is_reversed ? m_edges[e].from : m_edges[e].to;
+        const int from = is_reversed ? m_edges[e].to : m_edges[e].from,
+                  to = is_reversed ? m_edges[e].from : m_edges[e].to;
         const int row = m_dofs.of_vertex[m_mesh.triangles[m_edges[e].triangle][from]];
         if(row < 0)
           continue;

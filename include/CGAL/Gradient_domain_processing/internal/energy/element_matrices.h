@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_ELEMENT_MATRICES_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_ELEMENT_MATRICES_H
@@ -19,15 +24,16 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// The stiffness of a triangle (A.4): minus its entry for the edge opposite to a corner is half the cotangent of the corner. A triangle
-// shrunk to a point has none.
+// The stiffness of a triangle (A.4): minus its entry for the edge opposite to a corner is half the cotangent of the
+// corner. A triangle shrunk to a point has none.
 inline double half_cotangent(const Triangle_metric& metric, int corner)
 {
   const double w = metric.sqrt_determinant();
   return w > 0 ? metric.corner_product(corner) / (2 * w) : 0;
 }
 
-// What a triangle gives to the matrices: the square root of its metric's determinant, twice the area, and its half cotangents.
+// What a triangle gives to the matrices: the square root of its metric's determinant, twice the area, and its half
+// cotangents.
 struct Triangle_coefficients
 {
   double sqrt_determinant;
@@ -36,11 +42,12 @@ struct Triangle_coefficients
 
 inline Triangle_coefficients triangle_coefficients(const Triangle_metric& metric)
 {
-  return {metric.sqrt_determinant(), {{half_cotangent(metric, 0), half_cotangent(metric, 1), half_cotangent(metric, 2)}}};
+  return {metric.sqrt_determinant(),
+          {{half_cotangent(metric, 0), half_cotangent(metric, 1), half_cotangent(metric, 2)}}};
 }
 
-// The coefficients for a block of vertices, each computed once instead of for every corner: those of the triangles whose lowest
-// vertex is in the block lie together and are kept; the few others are computed when asked for.
+// The coefficients for a block of vertices, each computed once instead of for every corner: those of the triangles
+// whose lowest vertex is in the block lie together and are kept; the few others are computed when asked for.
 class Block_coefficients
 {
   const Indexed_triangles& m_mesh;
@@ -67,20 +74,23 @@ private:
   // Of those whose vertices are all at least v; triangles are sorted by their lowest vertex.
   int first_triangle(std::size_t v) const
   {
-    const auto is_below = [v](const std::array<int, 3>& t) { return std::size_t(*std::min_element(t.begin(), t.end())) < v; };
-    return int(std::partition_point(m_mesh.triangles.begin(), m_mesh.triangles.end(), is_below) - m_mesh.triangles.begin());
+    const auto is_below = [v](const std::array<int, 3>& t) {
+      return std::size_t(*std::min_element(t.begin(), t.end())) < v;
+    };
+    return int(std::partition_point(m_mesh.triangles.begin(), m_mesh.triangles.end(), is_below)
+               - m_mesh.triangles.begin());
   }
 };
 
-// What a triangle adds to the row of one of its vertices v in alpha M + beta S (A.1, A.4): to the entries (v,v), (v,a), (v,b), where a
-// and b are the next two vertices of the triangle.
+// What a triangle adds to the row of one of its vertices v in alpha M + beta S (A.1, A.4): to the entries (v,v), (v,a),
+// (v,b), where a and b are the next two vertices of the triangle.
 struct Row_entries
 {
   double vv, va, vb;
 };
 
-inline Row_entries row_entries(const Indexed_triangles& mesh, const Triangle_coefficients& coefficients, const Energy_weights& weights,
-                               int corner)
+inline Row_entries row_entries(const Indexed_triangles& mesh, const Triangle_coefficients& coefficients,
+                               const Energy_weights& weights, int corner)
 {
   const int f = corner / 3, i = corner % 3, j = (i + 1) % 3, k = (i + 2) % 3;
   const double beta = weights.gradient_at(f);
@@ -95,7 +105,8 @@ inline Row_entries row_entries(const Indexed_triangles& mesh, const Triangle_coe
 
   // the integral of alpha phi_v phi_x with alpha linear on the triangle
   const auto& t = mesh.triangles[f];
-  const double at_v = weights.value_at_vertex[t[i]], at_a = weights.value_at_vertex[t[j]], at_b = weights.value_at_vertex[t[k]];
+  const double at_v = weights.value_at_vertex[t[i]], at_a = weights.value_at_vertex[t[j]],
+               at_b = weights.value_at_vertex[t[k]];
   return {w / 60 * (3 * at_v + at_a + at_b) + to_a + to_b,
           w / 120 * (2 * at_v + 2 * at_a + at_b) - to_a,
           w / 120 * (2 * at_v + at_a + 2 * at_b) - to_b};

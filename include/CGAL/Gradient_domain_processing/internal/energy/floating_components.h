@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_FLOATING_COMPONENTS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_FLOATING_COMPONENTS_H
@@ -20,8 +25,8 @@ bool has_floating_component(const Indexed_triangles& mesh, const Energy_weights&
                             const std::vector<char>& is_constrained);
 
 // The same of the border's curves.
-bool has_floating_border(const Indexed_triangles& mesh, const std::vector<Border_edge>& edges, const Energy_weights& weights,
-                         const std::vector<char>& is_constrained);
+bool has_floating_border(const Indexed_triangles& mesh, const std::vector<Border_edge>& edges,
+                         const Energy_weights& weights, const std::vector<char>& is_constrained);
 
 } // namespace internal
 } // namespace Gradient_domain_processing

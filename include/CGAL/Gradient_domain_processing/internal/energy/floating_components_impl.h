@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_FLOATING_COMPONENTS_IMPL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_FLOATING_COMPONENTS_IMPL_H
@@ -15,7 +20,8 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Pieces that stiffness makes of vertices. One that neither a constrained vertex nor a value weight holds has no unique solution.
+// Pieces that stiffness makes of vertices. One that neither a constrained vertex nor a value weight holds has no unique
+// solution.
 class Stiff_pieces
 {
   Disjoint_sets m_sets;
@@ -44,8 +50,8 @@ public:
   }
 };
 
-CGAL_GDP_INLINE bool has_floating_component(const Indexed_triangles& mesh, const Energy_weights& weights, bool has_second_order,
-                                            const std::vector<char>& is_constrained)
+CGAL_GDP_INLINE bool has_floating_component(const Indexed_triangles& mesh, const Energy_weights& weights,
+                                            bool has_second_order, const std::vector<char>& is_constrained)
 {
   if(weights.value_at_vertex.empty() && weights.value > 0)
     return false;
@@ -66,8 +72,8 @@ CGAL_GDP_INLINE bool has_floating_component(const Indexed_triangles& mesh, const
   return pieces.is_any_floating();
 }
 
-CGAL_GDP_INLINE bool has_floating_border(const Indexed_triangles& mesh, const std::vector<Border_edge>& edges, const Energy_weights& weights,
-                                         const std::vector<char>& is_constrained)
+CGAL_GDP_INLINE bool has_floating_border(const Indexed_triangles& mesh, const std::vector<Border_edge>& edges,
+                                         const Energy_weights& weights, const std::vector<char>& is_constrained)
 {
   Stiff_pieces pieces(mesh.number_of_vertices());
   for(const Border_edge& e : edges)

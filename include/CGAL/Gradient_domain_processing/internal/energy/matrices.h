@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_MATRICES_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_MATRICES_H
@@ -38,7 +43,8 @@ struct Matrix_input
 
 // Numbers are those of the index maps, or the indices of a soup.
 template <class Graph, class NamedParameters>
-void number_elements(const Graph& graph, const Surface_elements<Graph>& elements, const NamedParameters& np, Matrix_input& input)
+void number_elements(const Graph& graph, const Surface_elements<Graph>& elements, const NamedParameters& np,
+                     Matrix_input& input)
 {
   const auto vertex_index_map = CGAL::get_initialized_vertex_index_map(graph, np);
   for(auto v : elements.vertices)
@@ -50,7 +56,8 @@ void number_elements(const Graph& graph, const Surface_elements<Graph>& elements
 
 template <class PointRange, class PolygonRange, class NamedParameters>
 void number_elements(const Polygon_soup<PointRange, PolygonRange>&,
-                     const Surface_elements<Polygon_soup<PointRange, PolygonRange> >& elements, const NamedParameters&, Matrix_input& input)
+                     const Surface_elements<Polygon_soup<PointRange, PolygonRange> >& elements, const NamedParameters&,
+                     Matrix_input& input)
 {
   input.vertex_index.assign(elements.vertices.begin(), elements.vertices.end());
   input.face_index.assign(elements.faces.begin(), elements.faces.end());
@@ -58,7 +65,8 @@ void number_elements(const Polygon_soup<PointRange, PolygonRange>&,
 
 // Triangles only, unless polygons are taken as the fans around their virtual vertices.
 template <class Surface, class NamedParameters>
-Error_code read_matrix_input(const Surface& surface, const NamedParameters& np, Matrix_input& input, bool takes_polygons = false)
+Error_code read_matrix_input(const Surface& surface, const NamedParameters& np, Matrix_input& input,
+                             bool takes_polygons = false)
 {
   using namespace CGAL::internal_np;
   constexpr bool has_metrics = Has_parameter<face_metric_map_t, NamedParameters>::value;
@@ -94,8 +102,8 @@ inline int index_range(const std::vector<int>& indices)
   return indices.empty() ? 0 : 1 + *std::max_element(indices.begin(), indices.end());
 }
 
-// Vertices by their numbers, then virtual vertices. Numbers without a vertex are those of vertices without a face, which the mesh gets:
-// rows of zeros.
+// Vertices by their numbers, then virtual vertices. Numbers without a vertex are those of vertices without a face,
+// which the mesh gets: rows of zeros.
 inline Degrees_of_freedom numbered_by_index(Matrix_input& input)
 {
   Indexed_triangles& mesh = input.mesh;
@@ -131,15 +139,16 @@ inline Eigen::SparseMatrix<double> means_of_corners(const Matrix_input& input)
     entries.emplace_back(i, i, 1.);
   for(int k = 0; k < virtual_vertices.size(); ++k)
     for(int at = virtual_vertices.corners.offsets[k]; at < virtual_vertices.corners.offsets[k + 1]; ++at)
-      entries.emplace_back(range + k, input.vertex_index[virtual_vertices.corners.items[at]], virtual_vertices.weights[at]);
+      entries.emplace_back(range + k, input.vertex_index[virtual_vertices.corners.items[at]],
+                           virtual_vertices.weights[at]);
   Eigen::SparseMatrix<double> p(range + virtual_vertices.size(), range);
   p.setFromTriplets(entries.begin(), entries.end());
   return p;
 }
 
 template <class Surface, class NamedParameters>
-Error_code assemble_matrix(const Surface& surface, double value_weight, double gradient_weight, const NamedParameters& np,
-                           Eigen::SparseMatrix<double>& matrix)
+Error_code assemble_matrix(const Surface& surface, double value_weight, double gradient_weight,
+                           const NamedParameters& np, Eigen::SparseMatrix<double>& matrix)
 {
   Matrix_input input;
   if(const Error_code code = read_matrix_input(surface, np, input, true))
@@ -150,7 +159,8 @@ Error_code assemble_matrix(const Surface& surface, double value_weight, double g
   weights.value = value_weight;
   weights.gradient = gradient_weight;
   Eigen::SparseMatrix<double> assembled;
-  set_pattern(sparsity_pattern(input.mesh.one_rings(input.parallel), dofs, false, input.parallel), input.parallel, assembled);
+  set_pattern(sparsity_pattern(input.mesh.one_rings(input.parallel), dofs, false, input.parallel), input.parallel,
+              assembled);
   assemble(input.mesh, input.metrics, weights, dofs, input.parallel, assembled, false);
   if(has_polygons)
   {

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_PROLONGATION_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_PROLONGATION_H
@@ -19,8 +24,9 @@ namespace internal {
 // The degrees of freedom followed by the virtual vertices of polygons.
 Degrees_of_freedom with_virtual_vertices(const Degrees_of_freedom& dofs, const Indexed_triangles& mesh);
 
-// Virtual vertices as means of degrees of freedom: with the matrix P of this function, an energy with matrix A of all vertices
-// becomes P^T A P of the polygons' corners alone. It is symmetric and positive definite with A, and as exact on linear functions.
+// Virtual vertices as means of degrees of freedom: with the matrix P of this function, an energy with matrix A of all
+// vertices becomes P^T A P of the polygons' corners alone. It is symmetric and positive definite with A, and as exact
+// on linear functions.
 Sparse_matrix prolongation(const Degrees_of_freedom& dofs, const Indexed_triangles& mesh);
 
 // Displacements of virtual vertices from those of the corners.

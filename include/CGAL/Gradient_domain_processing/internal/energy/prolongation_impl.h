@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_PROLONGATION_IMPL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_PROLONGATION_IMPL_H
@@ -66,7 +71,8 @@ CGAL_GDP_INLINE Lists rings_of_polygons(const Lists& rings, const Indexed_triang
       if(*w < first)
         result.items.push_back(*w);
       else
-        for(const int* row = mesh.virtual_vertices.corners.begin(*w - first); row != mesh.virtual_vertices.corners.end(*w - first); ++row)
+        for(const int* row = mesh.virtual_vertices.corners.begin(*w - first);
+            row != mesh.virtual_vertices.corners.end(*w - first); ++row)
           result.items.push_back(mesh.vertex_of(*row));
     std::sort(result.items.begin() + begin, result.items.end());
     result.items.erase(std::unique(result.items.begin() + begin, result.items.end()), result.items.end());

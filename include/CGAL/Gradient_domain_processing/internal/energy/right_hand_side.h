@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_RIGHT_HAND_SIDE_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_RIGHT_HAND_SIDE_H
@@ -33,35 +38,39 @@ struct Any_channels
   double& operator[](int i) { return values[i]; }
 };
 
-// beta (D v - S f) (eq. 2): what the target field v asks for beyond the gradients of f. A target field has a number of channels and
-// target.residual(f, i, j, along), which sets the integral of v - grad f from corner i to corner j of triangle f.
+// beta (D v - S f) (eq. 2): what the target field v asks for beyond the gradients of f. A target field has a number of
+// channels and target.residual(f, i, j, along), which sets the integral of v - grad f from corner i to corner j of
+// triangle f.
 template <class Channels, class Target_field>
 void add_target_residual(const Indexed_triangles& mesh, const Triangle_metrics& metrics, const Energy_weights& weights,
-                         const Degrees_of_freedom& dofs, const Target_field& target, bool parallel, Eigen::MatrixXd& residual)
+                         const Degrees_of_freedom& dofs, const Target_field& target, bool parallel,
+                         Eigen::MatrixXd& residual)
 {
-  for_each_degree_of_freedom(parallel, dofs, mesh, metrics, [&](int v, int row, const Block_coefficients& coefficients) {
-    Channels sum(target.channels()), along_a(target.channels()), along_b(target.channels());
-    for(int channel = 0; channel < sum.size(); ++channel)
-      sum[channel] = 0;
-    for(const int* c = mesh.corners.begin(v); c != mesh.corners.end(v); ++c)
-    {
-      const int f = *c / 3, i = *c % 3, j = (i + 1) % 3, k = (i + 2) % 3;
-      const double beta = weights.gradient_at(f);
-      const Triangle_coefficients of_f = coefficients(f);
-      const double to_a = beta * of_f.half_cotangents[k], to_b = beta * of_f.half_cotangents[j];
-      target.residual(f, i, j, along_a);
-      target.residual(f, i, k, along_b);
+  for_each_degree_of_freedom(
+    parallel, dofs, mesh, metrics, [&](int v, int row, const Block_coefficients& coefficients) {
+      Channels sum(target.channels()), along_a(target.channels()), along_b(target.channels());
       for(int channel = 0; channel < sum.size(); ++channel)
-        sum[channel] -= to_a * along_a[channel] + to_b * along_b[channel];
-    }
-    for(int channel = 0; channel < sum.size(); ++channel)
-      residual(row, channel) = sum[channel];
-  });
+        sum[channel] = 0;
+      for(const int* c = mesh.corners.begin(v); c != mesh.corners.end(v); ++c)
+      {
+        const int f = *c / 3, i = *c % 3, j = (i + 1) % 3, k = (i + 2) % 3;
+        const double beta = weights.gradient_at(f);
+        const Triangle_coefficients of_f = coefficients(f);
+        const double to_a = beta * of_f.half_cotangents[k], to_b = beta * of_f.half_cotangents[j];
+        target.residual(f, i, j, along_a);
+        target.residual(f, i, k, along_b);
+        for(int channel = 0; channel < sum.size(); ++channel)
+          sum[channel] -= to_a * along_a[channel] + to_b * along_b[channel];
+      }
+      for(int channel = 0; channel < sum.size(); ++channel)
+        residual(row, channel) = sum[channel];
+    });
 }
 
 template <class Target_field>
-Eigen::MatrixXd target_residual(const Indexed_triangles& mesh, const Triangle_metrics& metrics, const Energy_weights& weights,
-                                const Degrees_of_freedom& dofs, const Target_field& target, bool parallel)
+Eigen::MatrixXd target_residual(const Indexed_triangles& mesh, const Triangle_metrics& metrics,
+                                const Energy_weights& weights, const Degrees_of_freedom& dofs,
+                                const Target_field& target, bool parallel)
 {
   Eigen::MatrixXd residual(dofs.size(), target.channels());
   if(target.channels() == 3)
@@ -72,9 +81,9 @@ Eigen::MatrixXd target_residual(const Indexed_triangles& mesh, const Triangle_me
 }
 
 // Takes from the residual what the displacements of vertices that are not solved for bring about.
-void move_to_right_hand_side(const Indexed_triangles& mesh, const Triangle_metrics& metrics, const Energy_weights& weights,
-                             const Degrees_of_freedom& dofs, const Signal& displacement, bool parallel,
-                             Eigen::MatrixXd& residual);
+void move_to_right_hand_side(const Indexed_triangles& mesh, const Triangle_metrics& metrics,
+                             const Energy_weights& weights, const Degrees_of_freedom& dofs, const Signal& displacement,
+                             bool parallel, Eigen::MatrixXd& residual);
 
 } // namespace internal
 } // namespace Gradient_domain_processing

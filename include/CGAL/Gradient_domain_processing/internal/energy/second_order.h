@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_SECOND_ORDER_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_SECOND_ORDER_H
@@ -17,9 +22,10 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// The matrix gamma Q of a term of second order, made for a mesh and its metrics, over all vertices and stored as a whole. None: there
-// is no such term.
-typedef std::function<Sparse_matrix(const Indexed_triangles&, const Triangle_metrics&, bool parallel)> Second_order_energy;
+// The matrix gamma Q of a term of second order, made for a mesh and its metrics, over all vertices and stored as a
+// whole. None: there is no such term.
+typedef std::function<Sparse_matrix(const Indexed_triangles&, const Triangle_metrics&, bool parallel)>
+  Second_order_energy;
 
 // The vertices within two edges of every vertex: its neighbors in Q.
 Lists second_rings(const Lists& rings);

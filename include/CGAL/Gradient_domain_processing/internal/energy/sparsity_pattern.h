@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_SPARSITY_PATTERN_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_SPARSITY_PATTERN_H
@@ -18,7 +23,8 @@ namespace internal {
 
 typedef Eigen::SparseMatrix<double> Sparse_matrix;
 
-// The sparsity pattern of alpha M + beta S, the rows of every column in increasing order: all of them, or those of the lower triangle.
+// The sparsity pattern of alpha M + beta S, the rows of every column in increasing order: all of them, or those of the
+// lower triangle.
 Lists sparsity_pattern(const Lists& rings, const Degrees_of_freedom& dofs, bool lower_only, bool parallel);
 
 // Makes it a square matrix with this pattern, its values still to be set.

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_SPARSITY_PATTERN_IMPL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_SPARSITY_PATTERN_IMPL_H
@@ -18,7 +23,8 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-CGAL_GDP_INLINE Lists sparsity_pattern(const Lists& rings, const Degrees_of_freedom& dofs, bool lower_only, bool parallel)
+CGAL_GDP_INLINE Lists sparsity_pattern(const Lists& rings, const Degrees_of_freedom& dofs, bool lower_only,
+                                       bool parallel)
 {
   const int n = dofs.size();
   const auto is_in = [&](int row, int column) { return row > column || (row >= 0 && !lower_only); };
@@ -49,7 +55,8 @@ CGAL_GDP_INLINE void set_pattern(const Lists& pattern, bool parallel, Sparse_mat
   matrix.resize(pattern.size(), pattern.size());
   matrix.resizeNonZeros(pattern.offsets.back());
   std::copy(pattern.offsets.begin(), pattern.offsets.end(), matrix.outerIndexPtr());
-  for_each_block(parallel, pattern.items.size(), 1 << 16, [&](std::size_t begin, std::size_t end) { // most of it is the first touch of memory
+  // most of it is the first touch of memory
+  for_each_block(parallel, pattern.items.size(), 1 << 16, [&](std::size_t begin, std::size_t end) {
     std::copy(pattern.items.data() + begin, pattern.items.data() + end, matrix.innerIndexPtr() + begin);
   });
 }

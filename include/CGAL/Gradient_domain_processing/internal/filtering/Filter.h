@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FILTER_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FILTER_H
@@ -50,7 +55,11 @@ private:
   Progress* m_progress; // of the solver that owns this
 
 public:
-  Filter(std::unique_ptr<Any_linear_solver> solver, Progress& progress) : system(std::move(solver)), m_progress(&progress) {}
+  Filter(std::unique_ptr<Any_linear_solver> solver, Progress& progress)
+    : system(std::move(solver))
+    , m_progress(&progress)
+  {
+  }
 
   const Indexed_triangles& mesh() const { return system.mesh; }
   Progress& progress() { return *m_progress; }
@@ -106,8 +115,8 @@ private:
   // Vertices under a condition are constrained on the surface; unless they are fixed they move with their curve.
   void hold(Border_condition condition, const std::vector<char>& is_on_curve, std::vector<char>& constrained);
 
-  // A copy for estimating curvatures: smoothed with the metric of the embedding, by vertex. The system's own metric and weights come
-  // back, whatever happens.
+  // A copy for estimating curvatures: smoothed with the metric of the embedding, by vertex. The system's own metric and
+  // weights come back, whatever happens.
   template <class Void = void>
   Error_code presmooth(double weight, Signal& signal);
 

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FILTER_IMPL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FILTER_IMPL_H
@@ -55,7 +60,8 @@ CGAL_GDP_INLINE void Filter::constrain(std::vector<char> constrained)
   system.set_constrained(std::move(constrained));
 }
 
-CGAL_GDP_INLINE void Filter::hold(Border_condition condition, const std::vector<char>& is_on_curve, std::vector<char>& constrained)
+CGAL_GDP_INLINE void Filter::hold(Border_condition condition, const std::vector<char>& is_on_curve,
+                                  std::vector<char>& constrained)
 {
   for(std::size_t v = 0; v < constrained.size(); ++v)
     if(is_on_curve[v])
@@ -70,9 +76,10 @@ CGAL_GDP_INLINE void Filter::set_second_order(double weight, Hessian_kind kind)
   if(weight == 0)
     system.set_second_order({});
   else
-    system.set_second_order([weight, kind](const Indexed_triangles& triangles, const Triangle_metrics& metrics, bool parallel) {
-      return Sparse_matrix(weight * hessian_energy(triangles, metrics, kind, parallel));
-    });
+    system.set_second_order(
+      [weight, kind](const Indexed_triangles& triangles, const Triangle_metrics& metrics, bool parallel) {
+        return Sparse_matrix(weight * hessian_energy(triangles, metrics, kind, parallel));
+      });
 }
 
 CGAL_GDP_INLINE bool Filter::encloses_volume() const
@@ -83,7 +90,8 @@ CGAL_GDP_INLINE bool Filter::encloses_volume() const
   return !has_constraints();
 }
 
-CGAL_GDP_INLINE Error_code Filter::set_curvature_metric(const std::vector<Principal_curvatures>& curvatures, const Stretch& stretch)
+CGAL_GDP_INLINE Error_code Filter::set_curvature_metric(const std::vector<Principal_curvatures>& curvatures,
+                                                        const Stretch& stretch)
 {
   if(const Error_code code = ready())
     return code;
@@ -110,8 +118,8 @@ Error_code Filter::estimate_by_jets(const Curvature_options& options, std::vecto
   Stage_scope stage(*m_progress, Stage::CURVATURE);
   const std::vector<Vec3> points = as_vectors(positions);
   const bool is_done = vertex_curvatures_by_jets(
-    mesh(), points, options.normals.empty() ? mesh().vertex_normals(points, system.parallel) : options.normals, options.jet_degree,
-    system.parallel, [this](double part) { return this->m_progress->go_on(part); }, curvatures);
+    mesh(), points, options.normals.empty() ? mesh().vertex_normals(points, system.parallel) : options.normals,
+    options.jet_degree, system.parallel, [this](double part) { return this->m_progress->go_on(part); }, curvatures);
   return is_done ? ok : error_cancelled;
 }
 
@@ -203,21 +211,27 @@ Error_code Filter::presmooth(double weight, Signal& signal)
     typedef Linear_system::Coefficients Coefficients;
     Linear_system& system;
     Coefficients own;
-    Other_coefficients(Linear_system& s, Coefficients other) : system(s), own(s.exchange_coefficients(std::move(other))) {}
+    Other_coefficients(Linear_system& s, Coefficients other)
+      : system(s)
+      , own(s.exchange_coefficients(std::move(other)))
+    {
+    }
     ~Other_coefficients() { system.exchange_coefficients(std::move(own)); }
   };
   Linear_system::Coefficients other;
   other.weights.gradient = weight;
   const Other_coefficients scope(system, std::move(other));
   Signal change;
-  if(const Error_code code = system.solve(Scaled_difference_of_vertices{mesh(), system.weights(), signal}, *m_progress, change))
+  if(const Error_code code =
+       system.solve(Scaled_difference_of_vertices{mesh(), system.weights(), signal}, *m_progress, change))
     return code;
   signal += change;
   return ok;
 }
 
 #ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
-template Error_code Filter::estimate_by_jets<>(const Curvature_options& options, std::vector<Principal_curvatures>& curvatures);
+template Error_code Filter::estimate_by_jets<>(const Curvature_options& options,
+                                               std::vector<Principal_curvatures>& curvatures);
 template Error_code Filter::estimate<>(const Curvature_options& options, std::vector<Principal_curvatures>& curvatures);
 template Error_code Filter::filter<>(Signal& signal);
 template Error_code Linear_system::solve(const Scaled_gradient&, Progress&, Signal&, bool);

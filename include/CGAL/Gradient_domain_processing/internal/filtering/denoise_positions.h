@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_DENOISE_POSITIONS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_DENOISE_POSITIONS_H
@@ -47,8 +52,8 @@ Error_code denoise_positions(Solver solver, PointMap point_map, const NamedParam
     return error_invalid_parameter; // lines are no curves of their own here
   const Error_code code = move_positions(solver, point_map, np, [&](const auto& end_of_pass) {
     const Denoising_options options = denoising_options(np);
-    const Error_code result = denoise_points(filter.mesh(), filter.is_held, options, filter.system.parallel, solver.progress(),
-                                             filter.system.mesh.points, summary);
+    const Error_code result = denoise_points(filter.mesh(), filter.is_held, options, filter.system.parallel,
+                                             solver.progress(), filter.system.mesh.points, summary);
     return result == ok ? end_of_pass() : result;
   }, filter.encloses_volume());
   if constexpr (Has_parameter<CGAL::internal_np::denoising_summary_t, NamedParameters>::value)

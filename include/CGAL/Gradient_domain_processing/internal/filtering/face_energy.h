@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FACE_ENERGY_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FACE_ENERGY_H
@@ -44,8 +49,8 @@ struct Face_energy
   }
 };
 
-// (A + L) g = (A + lambda L) f for every column of `signal`, a row a face; solved for the change, so that nothing changes where
-// lambda is 1.
+// (A + L) g = (A + lambda L) f for every column of `signal`, a row a face; solved for the change, so that nothing
+// changes where lambda is 1.
 Error_code filter_face_signal(const Face_energy& energy, bool parallel, Progress& progress, Signal& signal);
 
 // Where the areas of the faces have their centers; the mean of their triangles' where they have none.

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FACE_ENERGY_IMPL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FACE_ENERGY_IMPL_H
@@ -19,7 +24,8 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-CGAL_GDP_INLINE Error_code filter_face_signal(const Face_energy& energy, bool parallel, Progress& progress, Signal& signal)
+CGAL_GDP_INLINE Error_code filter_face_signal(const Face_energy& energy, bool parallel, Progress& progress,
+                                              Signal& signal)
 {
   constexpr double tolerance = 1e-14;
   constexpr int most_steps = 100000;
@@ -34,7 +40,8 @@ CGAL_GDP_INLINE Error_code filter_face_signal(const Face_energy& energy, bool pa
     parallel_for(parallel, n, [&](std::size_t f) {
       right[f] = change[f] = 0;
       energy.for_each_neighbor(int(f), [&](const Face_energy::Neighbor& g) {
-        right[f] += ((energy.scales[f] + energy.scales[g.face]) / 2 - 1) * g.weight * (signal(f, channel) - signal(g.face, channel));
+        right[f] += ((energy.scales[f] + energy.scales[g.face]) / 2 - 1) * g.weight
+                    * (signal(f, channel) - signal(g.face, channel));
       });
     });
     const auto row = [&](const std::vector<double>& p, int f) {
@@ -68,7 +75,7 @@ CGAL_GDP_INLINE std::vector<Vec3> face_centers(const Indexed_triangles& mesh, st
       continue;
     }
     const Triangle_metric metric = mesh.embedding_metric(f).with_area_bounded_below(degeneracy_ratio);
-    const double area = metric.area() > 0 ? metric.area() : std::numeric_limits<double>::min();
+    const double area = metric.area() > 0 ? metric.area() : (std::numeric_limits<double>::min)();
     centers[mesh.face_of(f)] += area * center;
     areas[mesh.face_of(f)] += area;
   }

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FACE_SIGNALS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FACE_SIGNALS_H
@@ -67,14 +72,16 @@ Error_code write_face_signal(Solver& solver, const Signal& signal, OutMap out)
 
 // The weight of an edge between two faces: the caller's, or that of the geometry; negative if the caller's is none.
 template <class Solver, class Surface, class NamedParameters>
-double edge_weight(Solver& solver, const Surface& surface, const std::vector<Vec3>& centers, int f, int i, int g, const NamedParameters& np)
+double edge_weight(Solver& solver, const Surface& surface, const std::vector<Vec3>& centers, int f, int i, int g,
+                   const NamedParameters& np)
 {
   const Indexed_triangles& mesh = solver.arrays().system.mesh;
   const std::array<int, 2> rows = edge_of_lower(mesh, f, i, g);
   if constexpr (Has_parameter<CGAL::internal_np::interior_edge_weight_map_t, NamedParameters>::value)
   {
     const auto h = halfedge(solver.elements().vertices[rows[0]], solver.elements().vertices[rows[1]], surface).first;
-    const double weight = CGAL::to_double(get(parameter(np, CGAL::internal_np::interior_edge_weight_map, 0), edge(h, surface)));
+    const double weight =
+      CGAL::to_double(get(parameter(np, CGAL::internal_np::interior_edge_weight_map, 0), edge(h, surface)));
     return is_weight(weight) ? weight : -1;
   }
   else
@@ -110,7 +117,8 @@ Error_code read_face_energy(Solver& solver, const Surface& surface, const NamedP
         solver.arrays().culprit.face = face;
         return solver.checked(error_invalid_weight);
       }
-      energy.neighbors[next[face]++] = {mesh.face_of(g), (weights.gradient_at(f) + weights.gradient_at(g)) / 2 * weight};
+      energy.neighbors[next[face]++] = {mesh.face_of(g),
+                                        (weights.gradient_at(f) + weights.gradient_at(g)) / 2 * weight};
     }
   }
   for(std::size_t f = 0; f < n; ++f)

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FILTER_SIGNAL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FILTER_SIGNAL_H
@@ -17,14 +22,15 @@ namespace internal {
 template <class Void = void>
 Error_code filter_repeatedly(int number_of_iterations, Filter& filter, Signal& signal);
 
-// Fills missing values in first, by the energy without a value weight, all others constrained: as smoothly as the metric has it. No
-// gradient is asked for on their faces. Constraints and weights are the caller's again afterwards, whatever happens.
+// Fills missing values in first, by the energy without a value weight, all others constrained: as smoothly as the
+// metric has it. No gradient is asked for on their faces. Constraints and weights are the caller's again afterwards,
+// whatever happens.
 template <class Void = void>
 Error_code fill_and_filter(int number_of_iterations, Filter& filter, Signal& signal);
 
 template <class InMap, class OutMap, class Surface>
-Error_code filter_signal(InMap in, OutMap out, int number_of_iterations, bool may_be_missing, const Surface_elements<Surface>& elements,
-                         Filter& filter)
+Error_code filter_signal(InMap in, OutMap out, int number_of_iterations, bool may_be_missing,
+                         const Surface_elements<Surface>& elements, Filter& filter)
 {
   if(number_of_iterations < 0)
     return error_invalid_parameter;

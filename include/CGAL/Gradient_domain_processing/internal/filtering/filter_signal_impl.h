@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FILTER_SIGNAL_IMPL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FILTER_SIGNAL_IMPL_H
@@ -29,7 +34,8 @@ inline std::vector<char> missing_rows(const Signal& signal)
 }
 
 // Weights that ask for no gradient on the faces of missing values.
-inline Energy_weights without_gradients_at(const std::vector<char>& is_missing, const Indexed_triangles& mesh, Energy_weights weights)
+inline Energy_weights without_gradients_at(const std::vector<char>& is_missing, const Indexed_triangles& mesh,
+                                           Energy_weights weights)
 {
   if(weights.scale_at_triangle.empty())
     weights.scale_at_triangle.assign(mesh.triangles.size(), weights.scale);
@@ -72,7 +78,8 @@ Error_code fill_missing_values(const std::vector<char>& is_missing, Filter& filt
   filter.system.set_constrained(std::move(has_value));
   filter.system.set_weights(weights);
   Signal change;
-  if(const Error_code code = filter.system.solve(Scaled_gradient(mesh, filter.system.weights(), filled), filter.progress(), change))
+  if(const Error_code code =
+       filter.system.solve(Scaled_gradient(mesh, filter.system.weights(), filled), filter.progress(), change))
     return code;
   filter.add(change, filled);
   for(Eigen::Index i = 0; i < signal.size(); ++i)

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FILTER_SPECTRUM_OF_SIGNAL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FILTER_SPECTRUM_OF_SIGNAL_H
@@ -19,8 +24,8 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// What a signal by vertex has beside the harmonic function that agrees with it at the constrained vertices: the part that
-// harmonics, which are zero there, make up. In components without such vertices it is all of the signal.
+// What a signal by vertex has beside the harmonic function that agrees with it at the constrained vertices: the part
+// that harmonics, which are zero there, make up. In components without such vertices it is all of the signal.
 Error_code subtract_harmonic_extension(Filter& filter, Signal& signal);
 
 // `apply` filters a matrix of values by degree of freedom, given the system.
@@ -41,7 +46,8 @@ Error_code filter_spectrum_of_signal(InMap in, OutMap out, std::unique_ptr<Any_l
   if(const Error_code code = subtract_harmonic_extension(filter, part))
     return code;
   Spectral_system system(std::move(solver), filter.system.parallel);
-  if(const Error_code code = system.assemble_matrices(mesh, filter.system.metrics(), filter.system.is_constrained, filter.progress()))
+  if(const Error_code code =
+       system.assemble_matrices(mesh, filter.system.metrics(), filter.system.is_constrained, filter.progress()))
     return code;
   const Degrees_of_freedom& dofs = system.degrees_of_freedom();
   Signal change = Signal::Zero(mesh.number_of_vertices(), signal.cols());
@@ -51,14 +57,16 @@ Error_code filter_spectrum_of_signal(InMap in, OutMap out, std::unique_ptr<Any_l
     for_each_degree_of_freedom(system.is_parallel(), dofs, [&](int v, int i) { values.row(i) = part.row(v); });
     if(const Error_code code = apply(system, values))
       return code;
-    for_each_degree_of_freedom(system.is_parallel(), dofs, [&](int v, int i) { change.row(v) = values.row(i) - part.row(v); });
+    for_each_degree_of_freedom(system.is_parallel(), dofs,
+                               [&](int v, int i) { change.row(v) = values.row(i) - part.row(v); });
   }
   filter.add(change, signal);
   if(const Error_code code = filter.ready())
     return code;
   Stage_scope stage(filter.progress(), Stage::WRITE);
-  return write_signal(in, signal, out, elements, mesh, [&](int v) { return mesh.corners.size(v) > 0 && !filter.system.is_constrained[std::size_t(v)]; },
-                      filter.culprit);
+  return write_signal(
+    in, signal, out, elements, mesh,
+    [&](int v) { return mesh.corners.size(v) > 0 && !filter.system.is_constrained[std::size_t(v)]; }, filter.culprit);
 }
 
 } // namespace internal

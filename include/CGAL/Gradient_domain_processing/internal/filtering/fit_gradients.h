@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FIT_GRADIENTS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FIT_GRADIENTS_H
@@ -16,8 +21,8 @@ namespace internal {
 
 // The caller's gradients along the edges from the first corner of every triangle to all three, three rows a triangle.
 template <class FaceGradientMap, class Surface>
-Error_code read_gradients(FaceGradientMap gradients, const Surface_elements<Surface>& elements, const Indexed_triangles& mesh,
-                          Culprit& culprit, Signal& along)
+Error_code read_gradients(FaceGradientMap gradients, const Surface_elements<Surface>& elements,
+                          const Indexed_triangles& mesh, Culprit& culprit, Signal& along)
 {
   const int channels = int(along.cols());
   for(int f = 0; f < mesh.number_of_triangles(); ++f)

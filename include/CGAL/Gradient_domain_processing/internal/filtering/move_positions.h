@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_MOVE_POSITIONS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_MOVE_POSITIONS_H
@@ -58,8 +63,8 @@ Position_options read_position_options(const NamedParameters& np, bool restores_
 // Vertices that went too far are held back on their way; virtual ones do not count. Answers how many.
 int limit_displacements(const std::vector<Vec3>& before, double limit, Indexed_triangles& mesh);
 
-// Runs passes over the positions in the solver's arrays and writes the surface when all went well. passes(end_of_pass) calls
-// end_of_pass() after each.
+// Runs passes over the positions in the solver's arrays and writes the surface when all went well. passes(end_of_pass)
+// calls end_of_pass() after each.
 template <class Solver, class PointMap, class NamedParameters, class Passes>
 Error_code move_positions(Solver& solver, PointMap point_map, const NamedParameters& np, const Passes& passes,
                           bool restores_volume_by_default = false)
@@ -92,7 +97,8 @@ Error_code move_positions(Solver& solver, PointMap point_map, const NamedParamet
   if(const Error_code code = filter.ready())
     return code;
   Stage_scope stage(solver.progress(), Stage::WRITE);
-  return solver.checked(write_points(point_map, solver.elements(), mesh, before, [&](int v) { return filter.is_moved(v); }, filter.culprit));
+  return solver.checked(write_points(
+    point_map, solver.elements(), mesh, before, [&](int v) { return filter.is_moved(v); }, filter.culprit));
 }
 
 } // namespace internal

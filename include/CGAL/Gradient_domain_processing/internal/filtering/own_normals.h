@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_OWN_NORMALS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_OWN_NORMALS_H
@@ -20,11 +25,13 @@ Signal normals_by_row(const Indexed_triangles& mesh, bool parallel);
 
 // The normals that the surface has at its vertices, by row: the caller's, or those above.
 template <class Surface, class NamedParameters>
-Error_code read_own_normals(const NamedParameters& np, const Surface_elements<Surface>& elements, Filter& filter, Signal& normals)
+Error_code read_own_normals(const NamedParameters& np, const Surface_elements<Surface>& elements, Filter& filter,
+                            Signal& normals)
 {
   const Indexed_triangles& mesh = filter.mesh();
   if constexpr (Has_parameter<CGAL::internal_np::vertex_normal_map_t, NamedParameters>::value)
-    return read_vectors(parameter(np, CGAL::internal_np::vertex_normal_map, 0), elements, mesh, filter.culprit, normals);
+    return read_vectors(parameter(np, CGAL::internal_np::vertex_normal_map, 0), elements, mesh, filter.culprit,
+                        normals);
   else
   {
     normals = normals_by_row(mesh, filter.system.parallel);

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_PREPARE_FILTER_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_PREPARE_FILTER_H
@@ -22,7 +27,8 @@ namespace internal {
 // What a surface that was read, with this code, is filtered with: the unit of weights, constraints and weights.
 template <class Surface, class NamedParameters>
 Error_code prepare_filter(const Surface& surface, const NamedParameters& np, const Reading& reading, Error_code code,
-                          const Surface_elements<Surface>& elements, const std::vector<char>& has_face_outside, Filter& filter)
+                          const Surface_elements<Surface>& elements, const std::vector<char>& has_face_outside,
+                          Filter& filter)
 {
   filter.culprit = reading.culprit;
   filter.system.parallel = reading.parallel;

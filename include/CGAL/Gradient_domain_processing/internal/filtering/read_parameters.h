@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_READ_PARAMETERS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_READ_PARAMETERS_H
@@ -106,8 +111,8 @@ Error_code read_weights(const NamedParameters& np, const Surface_elements<Surfac
 
 // Vertices that the caller constrains, beside those that are already.
 template <class Surface, class NamedParameters>
-void read_constraints(const NamedParameters& np, const Surface_elements<Surface>& elements, std::vector<char> is_constrained,
-                      Filter& filter)
+void read_constraints(const NamedParameters& np, const Surface_elements<Surface>& elements,
+                      std::vector<char> is_constrained, Filter& filter)
 {
   using namespace CGAL::internal_np;
   is_constrained.resize(filter.mesh().points.size(), 0);
@@ -140,7 +145,8 @@ Error_code read_curvature_options(const NamedParameters& np, const Surface_eleme
   if constexpr (Has_parameter<vertex_normal_map_t, NamedParameters>::value)
   {
     Signal normals;
-    if(const Error_code code = read_vectors(parameter(np, vertex_normal_map, 0), elements, filter.mesh(), filter.culprit, normals))
+    if(const Error_code code =
+         read_vectors(parameter(np, vertex_normal_map, 0), elements, filter.mesh(), filter.culprit, normals))
       return code;
     options.normals = mean_over_rows(filter.mesh(), normals);
   }
@@ -149,16 +155,17 @@ Error_code read_curvature_options(const NamedParameters& np, const Surface_eleme
 
 // The caller's curvatures, in units of the arrays.
 template <class Map, class Surface>
-Error_code read_curvatures(Map map, const Surface_elements<Surface>& elements, const Indexed_triangles& mesh, Culprit& culprit,
-                           std::vector<Principal_curvatures>& curvatures)
+Error_code read_curvatures(Map map, const Surface_elements<Surface>& elements, const Indexed_triangles& mesh,
+                           Culprit& culprit, std::vector<Principal_curvatures>& curvatures)
 {
   const double unit = mesh.unit();
   curvatures.assign(mesh.points.size(), flat_curvatures(frame_of_normal(Vec3::Zero())));
   for(std::size_t row = 0; row < elements.vertices.size(); ++row)
   {
     const auto& k = get(map, elements.vertices[row]);
-    const Principal_curvatures at_row = {unit * CGAL::to_double(k.min_curvature), unit * CGAL::to_double(k.max_curvature),
-                                         to_vec3(k.min_direction), to_vec3(k.max_direction)};
+    const Principal_curvatures at_row = {unit * CGAL::to_double(k.min_curvature),
+                                         unit * CGAL::to_double(k.max_curvature), to_vec3(k.min_direction),
+                                         to_vec3(k.max_direction)};
     if(!std::isfinite(at_row.min_curvature) || !std::isfinite(at_row.max_curvature) || !at_row.min_direction.allFinite()
        || !at_row.max_direction.allFinite())
     {
@@ -178,7 +185,8 @@ Error_code triangle_curvatures(const NamedParameters& np, const Surface_elements
   if constexpr (Has_parameter<vertex_curvature_map_t, NamedParameters>::value)
   {
     std::vector<Principal_curvatures> at_vertices;
-    if(const Error_code code = read_curvatures(parameter(np, vertex_curvature_map, 0), elements, filter.mesh(), filter.culprit, at_vertices))
+    if(const Error_code code =
+         read_curvatures(parameter(np, vertex_curvature_map, 0), elements, filter.mesh(), filter.culprit, at_vertices))
       return code;
     curvatures = triangle_curvatures(filter.mesh(), filter.system.parallel, at_vertices);
     return ok;
@@ -219,8 +227,8 @@ Error_code read_metrics(Map map, const Surface_elements<Surface>& elements, Filt
 }
 
 template <class Kind, class Surface, class NamedParameters>
-Error_code set_curvature_metric(const Kind& kind, double weight, const NamedParameters& np, const Surface_elements<Surface>& elements,
-                                Filter& filter)
+Error_code set_curvature_metric(const Kind& kind, double weight, const NamedParameters& np,
+                                const Surface_elements<Surface>& elements, Filter& filter)
 {
   Stretch stretch;
   if constexpr (std::is_same<Kind, Curvature_metric_kind>::value)
@@ -252,15 +260,18 @@ Error_code set_metric(const NamedParameters& np, const Surface_elements<Surface>
   using namespace CGAL::internal_np;
   if constexpr (Has_parameter<face_metric_map_t, NamedParameters>::value)
     return read_metrics(parameter(np, face_metric_map, 0), elements, filter);
-  else if constexpr (!Has_parameter<curvature_weight_t, NamedParameters>::value && !Has_parameter<curvature_metric_kind_t, NamedParameters>::value)
+  else if constexpr(!Has_parameter<curvature_weight_t, NamedParameters>::value
+                    && !Has_parameter<curvature_metric_kind_t, NamedParameters>::value)
   {
     filter.system.set_embedding_metric(); // known when compiled, which spares compiling the estimators
     return ok;
   }
   else
   {
-    const auto kind = parameter(np, curvature_metric_kind, Has_parameter<curvature_weight_t, NamedParameters>::value
-                                                             ? Curvature_metric_kind::EDGE_AWARE : Curvature_metric_kind::EMBEDDING);
+    const auto kind =
+      parameter(np, curvature_metric_kind,
+                Has_parameter<curvature_weight_t, NamedParameters>::value ? Curvature_metric_kind::EDGE_AWARE
+                                                                          : Curvature_metric_kind::EMBEDDING);
     return set_curvature_metric(kind, parameter(np, curvature_weight, 0.02), np, elements, filter);
   }
 }

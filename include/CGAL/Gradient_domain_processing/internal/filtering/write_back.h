@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_WRITE_BACK_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_WRITE_BACK_H
@@ -16,12 +21,14 @@ namespace internal {
 
 // The last stage: a result goes to the caller's map. Values that are constrained are copied from `in`, to the bit.
 template <class InMap, class OutMap, class Surface>
-Error_code write_back(InMap in, const Signal& signal, OutMap out, const Surface_elements<Surface>& elements, Filter& filter)
+Error_code write_back(InMap in, const Signal& signal, OutMap out, const Surface_elements<Surface>& elements,
+                      Filter& filter)
 {
   if(const Error_code code = filter.ready())
     return code;
   Stage_scope stage(filter.progress(), Stage::WRITE);
-  return write_signal(in, signal, out, elements, filter.mesh(), [&](int v) { return filter.is_moved(v); }, filter.culprit);
+  return write_signal(
+    in, signal, out, elements, filter.mesh(), [&](int v) { return filter.is_moved(v); }, filter.culprit);
 }
 
 } // namespace internal

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_HIGHER_ORDER_ELEMENT_MATRICES_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_HIGHER_ORDER_ELEMENT_MATRICES_H
@@ -22,8 +27,9 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Small dense symmetric matrices, each on a few degrees of freedom, which may repeat; together they make a sparse one. Every
-// element is written on its own, and entries are added up in the order of the elements: the same bits on any number of threads.
+// Small dense symmetric matrices, each on a few degrees of freedom, which may repeat; together they make a sparse one.
+// Every element is written on its own, and entries are added up in the order of the elements: the same bits on any
+// number of threads.
 class Element_matrices
 {
   Lists m_indices;
@@ -71,7 +77,8 @@ public:
     });
     std::vector<int> element_of(m_indices.items.size());
     for(int e = 0; e < size(); ++e)
-      std::fill(element_of.begin() + m_indices.offsets[std::size_t(e)], element_of.begin() + m_indices.offsets[std::size_t(e) + 1], e);
+      std::fill(element_of.begin() + m_indices.offsets[std::size_t(e)],
+                element_of.begin() + m_indices.offsets[std::size_t(e) + 1], e);
 
     typedef std::pair<int, double> Entry;
     const auto column = [&](int j) {
@@ -82,7 +89,8 @@ public:
         for(int i = 0; i < size(e); ++i)
           entries.emplace_back(indices(e)[i], value(e, i, k));
       }
-      std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.first < b.first; });
+      std::stable_sort(entries.begin(), entries.end(),
+                       [](const Entry& a, const Entry& b) { return a.first < b.first; });
       std::size_t last = 0; // of those merged
       for(std::size_t i = 1; i < entries.size(); ++i)
         if(entries[i].first == entries[last].first)

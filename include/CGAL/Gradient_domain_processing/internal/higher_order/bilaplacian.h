@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_HIGHER_ORDER_BILAPLACIAN_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_HIGHER_ORDER_BILAPLACIAN_H
@@ -21,8 +26,8 @@ namespace internal {
 // A third of the area of the triangles around every vertex.
 std::vector<double> lumped_masses(const Indexed_triangles& mesh, const Triangle_metrics& metrics, bool parallel);
 
-// S M^-1 S with the lumped mass M: the squared Laplacian. One element a vertex: its row of S, squared, over its mass. Borders
-// have the condition of S, no slope across them, which bends isolines; see curved_hessian().
+// S M^-1 S with the lumped mass M: the squared Laplacian. One element a vertex: its row of S, squared, over its mass.
+// Borders have the condition of S, no slope across them, which bends isolines; see curved_hessian().
 Eigen::SparseMatrix<double> bilaplacian(const Indexed_triangles& mesh, const Triangle_metrics& metrics, bool parallel);
 
 } // namespace internal

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_HIGHER_ORDER_BILAPLACIAN_IMPL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_HIGHER_ORDER_BILAPLACIAN_IMPL_H
@@ -21,7 +26,8 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-CGAL_GDP_INLINE std::vector<double> lumped_masses(const Indexed_triangles& mesh, const Triangle_metrics& metrics, bool parallel)
+CGAL_GDP_INLINE std::vector<double> lumped_masses(const Indexed_triangles& mesh, const Triangle_metrics& metrics,
+                                                  bool parallel)
 {
   std::vector<double> masses(mesh.points.size());
   parallel_for(parallel, masses.size(), [&](std::size_t v) {
@@ -33,7 +39,8 @@ CGAL_GDP_INLINE std::vector<double> lumped_masses(const Indexed_triangles& mesh,
   return masses;
 }
 
-CGAL_GDP_INLINE Eigen::SparseMatrix<double> bilaplacian(const Indexed_triangles& mesh, const Triangle_metrics& metrics, bool parallel)
+CGAL_GDP_INLINE Eigen::SparseMatrix<double> bilaplacian(const Indexed_triangles& mesh, const Triangle_metrics& metrics,
+                                                        bool parallel)
 {
   const std::size_t n = mesh.points.size();
   const Lists rings = mesh.one_rings(parallel);

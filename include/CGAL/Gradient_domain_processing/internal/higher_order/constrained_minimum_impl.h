@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_HIGHER_ORDER_CONSTRAINED_MINIMUM_IMPL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_HIGHER_ORDER_CONSTRAINED_MINIMUM_IMPL_H
@@ -17,7 +22,8 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-CGAL_GDP_INLINE Eigen::SparseMatrix<double> free_block(const Eigen::SparseMatrix<double>& matrix, const std::vector<int>& free_index, int count)
+CGAL_GDP_INLINE Eigen::SparseMatrix<double> free_block(const Eigen::SparseMatrix<double>& matrix,
+                                                       const std::vector<int>& free_index, int count)
 {
   Eigen::SparseMatrix<double> block(count, count);
   Eigen::VectorXi sizes = Eigen::VectorXi::Zero(count);
@@ -37,7 +43,8 @@ CGAL_GDP_INLINE Eigen::SparseMatrix<double> free_block(const Eigen::SparseMatrix
   return block;
 }
 
-// Factorizes the matrix; if rounding takes its definiteness, as degenerate triangles let it, with a little more on its diagonal.
+// Factorizes the matrix; if rounding takes its definiteness, as degenerate triangles let it, with a little more on its
+// diagonal.
 CGAL_GDP_INLINE Error_code factorize_or_shift(Eigen::SparseMatrix<double> matrix, Cholesky_factor& factor)
 {
   Error_code code = factor.factorize(matrix);
@@ -50,7 +57,8 @@ CGAL_GDP_INLINE Error_code factorize_or_shift(Eigen::SparseMatrix<double> matrix
   return code;
 }
 
-CGAL_GDP_INLINE Error_code constrained_minimum(const Eigen::SparseMatrix<double>& matrix, const std::vector<char>& is_free, Eigen::MatrixXd& x)
+CGAL_GDP_INLINE Error_code constrained_minimum(const Eigen::SparseMatrix<double>& matrix,
+                                               const std::vector<char>& is_free, Eigen::MatrixXd& x)
 {
   std::vector<int> free_index(is_free.size(), -1);
   int count = 0;

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_HIGHER_ORDER_CURVED_HESSIAN_IMPL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_HIGHER_ORDER_CURVED_HESSIAN_IMPL_H
@@ -27,12 +32,13 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// The Hessian energy of Stein, Jacobson, Wardetzky and Grinspun 2020, Q = G^T M^-1 (L + K) M^-1 G, without the matrices: the
-// gradient at the middle of an edge is the mean of those of its two triangles, unfolded about it and weighted by area
-// (M^-1 G); on every triangle these three make a linear field V, and Q sums up |grad V|^2 (L) and, at the corners, the Gaussian
-// curvature times |V|^2 (K). No condition is imposed at borders, so that functions that are linear on a plane cost nothing.
-// Without K it is the squared Hessian itself, semidefinite under every metric; Q is not, where a surface of negative curvature
-// has a border. Without half the squared divergence of V as well, it is the trace-free part of the Hessian.
+// The Hessian energy of Stein, Jacobson, Wardetzky and Grinspun 2020, Q = G^T M^-1 (L + K) M^-1 G, without the
+// matrices: the gradient at the middle of an edge is the mean of those of its two triangles, unfolded about it and
+// weighted by area (M^-1 G); on every triangle these three make a linear field V, and Q sums up |grad V|^2 (L) and, at
+// the corners, the Gaussian curvature times |V|^2 (K). No condition is imposed at borders, so that functions that are
+// linear on a plane cost nothing. Without K it is the squared Hessian itself, semidefinite under every metric; Q is
+// not, where a surface of negative curvature has a border. Without half the squared divergence of V as well, it is the
+// trace-free part of the Hessian.
 class Curved_hessian
 {
   const Indexed_triangles& m_mesh;
@@ -78,8 +84,8 @@ private:
 
   int vertex(int corner) const { return m_mesh.triangles[std::size_t(corner / 3)][std::size_t(corner % 3)]; }
 
-  // Adds weight times the gradient on the triangle of a corner, along the opposite edge, to the second vertex of it from the first,
-  // and across it, to the corner; the three vertices have these places in the rows.
+  // Adds weight times the gradient on the triangle of a corner, along the opposite edge, to the second vertex of it
+  // from the first, and across it, to the corner; the three vertices have these places in the rows.
   void add_gradient(int corner, double weight, std::array<std::size_t, 3> place, Row& along, Row& across) const
   {
     const Triangle_metric& metric = m_metrics[std::size_t(corner / 3)];
@@ -109,8 +115,8 @@ private:
       return;
     Row other_along = {}, other_across = {};
     const bool same_direction = m_mesh.opposite_vertices(other)[0] == m_mesh.opposite_vertices(corner)[0];
-    add_gradient(other, area_across / (area + area_across), {{place_across, same_direction ? j : k, same_direction ? k : j}},
-                 other_along, other_across);
+    add_gradient(other, area_across / (area + area_across),
+                 {{place_across, same_direction ? j : k, same_direction ? k : j}}, other_along, other_across);
     for(std::size_t p = 0; p < 6; ++p)
     {
       along[p] += same_direction ? other_along[p] : -other_along[p];
@@ -118,8 +124,9 @@ private:
     }
   }
 
-  // The Gaussian curvature at a corner of a triangle: its share, by angle, of what is missing to a full turn around the vertex. The
-  // triangles that are connected around the vertex count; if they do not close, it is a border, which has none.
+  // The Gaussian curvature at a corner of a triangle: its share, by angle, of what is missing to a full turn around the
+  // vertex. The triangles that are connected around the vertex count; if they do not close, it is a border, which has
+  // none.
   double corner_curvature(int corner) const
   {
     const int v = vertex(corner);
@@ -155,9 +162,11 @@ private:
     std::array<double, 9> weights;
     for(int i = 0; i < 3; ++i)
       for(int j = 0; j < 3; ++j)
-        weights[std::size_t(3 * i + j)] = i == j ? 4 * (half_cotangent(metric, (i + 1) % 3) + half_cotangent(metric, (i + 2) % 3))
-                                                 : -4 * half_cotangent(metric, 3 - i - j);
-    for(int v = 0; v < 3 && m_kind == Hessian_kind::CURVED_HESSIAN; ++v) // V at corner v: the sum of its two edges', minus that of the third
+        weights[std::size_t(3 * i + j)] =
+          i == j ? 4 * (half_cotangent(metric, (i + 1) % 3) + half_cotangent(metric, (i + 2) % 3))
+                 : -4 * half_cotangent(metric, 3 - i - j);
+    // V at corner v: the sum of its two edges', minus that of the third
+    for(int v = 0; v < 3 && m_kind == Hessian_kind::CURVED_HESSIAN; ++v)
     {
       const double curvature = corner_curvature(3 * f + v);
       for(int i = 0; i < 3; ++i)
@@ -215,11 +224,13 @@ private:
       return;
     for(int p = 0; p < size; ++p)
       for(int q = 0; q <= p; ++q)
-        elements.value(f, p, q) -= divergence[std::size_t(p)] * divergence[std::size_t(q)] / m_metrics[std::size_t(f)].sqrt_determinant();
+        elements.value(f, p, q) -=
+          divergence[std::size_t(p)] * divergence[std::size_t(q)] / m_metrics[std::size_t(f)].sqrt_determinant();
   }
 };
 
-CGAL_GDP_INLINE Eigen::SparseMatrix<double> curved_hessian(const Indexed_triangles& mesh, const Triangle_metrics& metrics, Hessian_kind kind,
+CGAL_GDP_INLINE Eigen::SparseMatrix<double> curved_hessian(const Indexed_triangles& mesh,
+                                                           const Triangle_metrics& metrics, Hessian_kind kind,
                                                            bool parallel)
 {
   return Curved_hessian(mesh, metrics, kind, parallel).matrix(parallel);

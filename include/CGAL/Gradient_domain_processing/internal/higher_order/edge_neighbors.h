@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_HIGHER_ORDER_EDGE_NEIGHBORS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_HIGHER_ORDER_EDGE_NEIGHBORS_H
@@ -18,8 +23,9 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// For every corner, the corner that faces it across the opposite edge, where exactly two triangles share that edge, in whichever
-// orientation; -1 on a border and where three or more meet: there, none of them goes on into another smoothly.
+// For every corner, the corner that faces it across the opposite edge, where exactly two triangles share that edge, in
+// whichever orientation; -1 on a border and where three or more meet: there, none of them goes on into another
+// smoothly.
 inline std::vector<int> edge_neighbors(const Indexed_triangles& mesh, bool parallel)
 {
   std::vector<int> neighbors(3 * mesh.triangles.size());

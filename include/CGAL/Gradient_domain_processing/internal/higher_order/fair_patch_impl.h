@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_HIGHER_ORDER_FAIR_PATCH_IMPL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_HIGHER_ORDER_FAIR_PATCH_IMPL_H
@@ -66,7 +71,8 @@ CGAL_GDP_INLINE Patch patch_around(const Indexed_triangles& mesh, const std::vec
   return patch;
 }
 
-// Whether every component with a free vertex that has triangles has constrained ones as well: three, for it could turn else.
+// Whether every component with a free vertex that has triangles has constrained ones as well: three, for it could turn
+// else.
 CGAL_GDP_INLINE bool is_constrained_enough(const Patch& patch)
 {
   const Components components = connected_components(patch.mesh);
@@ -83,8 +89,8 @@ CGAL_GDP_INLINE bool is_constrained_enough(const Patch& patch)
   return true;
 }
 
-CGAL_GDP_INLINE Error_code fair_patch(Indexed_triangles& mesh, const std::vector<char>& is_free, Hessian_kind kind, int max_iterations,
-                                      double tolerance, bool parallel)
+CGAL_GDP_INLINE Error_code fair_patch(Indexed_triangles& mesh, const std::vector<char>& is_free, Hessian_kind kind,
+                                      int max_iterations, double tolerance, bool parallel)
 {
   Patch patch = patch_around(mesh, is_free);
   for(std::size_t v = 0; v < patch.is_free.size(); ++v) // nothing acts on a vertex without triangles

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_HIGHER_ORDER_MODIFIED_DIRICHLET_IMPL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_HIGHER_ORDER_MODIFIED_DIRICHLET_IMPL_H
@@ -35,7 +40,8 @@ CGAL_GDP_INLINE Lists triangle_stencils(const Indexed_triangles& mesh)
   return stencils;
 }
 
-CGAL_GDP_INLINE Eigen::SparseMatrix<double> modified_dirichlet(const Indexed_triangles& mesh, const Triangle_metrics& metrics,
+CGAL_GDP_INLINE Eigen::SparseMatrix<double> modified_dirichlet(const Indexed_triangles& mesh,
+                                                               const Triangle_metrics& metrics,
                                                                const std::vector<Vec3>& normals, bool parallel)
 {
   Element_matrices elements(triangle_stencils(mesh));
@@ -47,7 +53,8 @@ CGAL_GDP_INLINE Eigen::SparseMatrix<double> modified_dirichlet(const Indexed_tri
     {
       const int j = (i + 1) % 3, k = (i + 2) % 3;
       const double of_i = half_cotangent(metric, i), of_j = half_cotangent(metric, j), of_k = half_cotangent(metric, k);
-      elements.value(e, j, k) = -of_i * normals[std::size_t(t[std::size_t(j)])].dot(normals[std::size_t(t[std::size_t(k)])]);
+      elements.value(e, j, k) =
+        -of_i * normals[std::size_t(t[std::size_t(j)])].dot(normals[std::size_t(t[std::size_t(k)])]);
       elements.value(e, i, i) = (of_j + of_k) * normals[std::size_t(t[std::size_t(i)])].squaredNorm();
     }
   });

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_HIGHER_ORDER_SHARED_LENGTHS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_HIGHER_ORDER_SHARED_LENGTHS_H
@@ -27,12 +32,13 @@ inline double squared_length(const Triangle_metric& metric, int corner)
   return metric.corner_product((corner + 1) % 3) + metric.corner_product((corner + 2) % 3);
 }
 
-// Goes from the squared lengths of a metric towards others, as far as half of the area remains. Metrics with at least so much
-// area are a convex set: it is a way to the end, or to the first root of a quadratic.
+// Goes from the squared lengths of a metric towards others, as far as half of the area remains. Metrics with at least
+// so much area are a convex set: it is a way to the end, or to the first root of a quadratic.
 inline Triangle_metric towards(const Triangle_metric& metric, const std::array<double, 3>& lengths)
 {
   const double g11 = metric.g11(), g12 = metric.g12(), g22 = metric.g22();
-  const double to_11 = lengths[2] - g11, to_22 = lengths[1] - g22, to_12 = (lengths[1] + lengths[2] - lengths[0]) / 2 - g12;
+  const double to_11 = lengths[2] - g11, to_22 = lengths[1] - g22,
+               to_12 = (lengths[1] + lengths[2] - lengths[0]) / 2 - g12;
   const double half_area = metric.sqrt_determinant() / 2;
   const double c = metric.sqrt_determinant() * metric.sqrt_determinant() - half_area * half_area;
   const double b = g11 * to_22 + g22 * to_11 - 2 * g12 * to_12, a = to_11 * to_22 - to_12 * to_12;
@@ -42,10 +48,11 @@ inline Triangle_metric towards(const Triangle_metric& metric, const std::array<d
   return Triangle_metric(g11 + step * to_11, g12 + step * to_12, g22 + step * to_22);
 }
 
-// Under a metric that differs from triangle to triangle, an edge has two lengths. A covariant derivative needs one: the angles
-// between the edges of a triangle say how vectors are carried over it, to second order only if its lengths are those at the edges.
-// Each triangle takes the mean of the squared lengths, unless that makes a triangle of less than half its area, as
-// where a crease stretches its neighbor; it then goes as far as that. A metric that is the same on both sides stays to the bit.
+// Under a metric that differs from triangle to triangle, an edge has two lengths. A covariant derivative needs one: the
+// angles between the edges of a triangle say how vectors are carried over it, to second order only if its lengths are
+// those at the edges. Each triangle takes the mean of the squared lengths, unless that makes a triangle of less than
+// half its area, as where a crease stretches its neighbor; it then goes as far as that. A metric that is the same on
+// both sides stays to the bit.
 inline std::vector<Triangle_metric> with_shared_lengths(const Indexed_triangles& mesh, const Triangle_metrics& metrics,
                                                         const std::vector<int>& neighbors, bool parallel)
 {

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_HIGHER_ORDER_SHELL_HESSIAN_IMPL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_HIGHER_ORDER_SHELL_HESSIAN_IMPL_H
@@ -64,7 +69,8 @@ CGAL_GDP_INLINE std::array<Vec3, 3> area_gradient(const Vec3& a, const Vec3& b, 
 }
 
 // The Hessian, at rest, of the deformation energy of a discrete shell (Hildebrandt et al. 2012, equation 13): with f
-// the dihedral angles, edge lengths and areas, the sum of w grad f grad f^T. Coordinate k of vertex v is degree of freedom 3 v + k.
+// the dihedral angles, edge lengths and areas, the sum of w grad f grad f^T. Coordinate k of vertex v is degree of
+// freedom 3 v + k.
 class Shell_hessian
 {
   const Indexed_triangles& m_mesh;
@@ -91,7 +97,8 @@ public:
       set_bending(edge, int(e), elements);
       set_length(edge, edges + int(e), elements);
     });
-    parallel_for(parallel, m_mesh.triangles.size(), [&](std::size_t f) { set_area(int(f), 2 * edges + int(f), elements); });
+    parallel_for(parallel, m_mesh.triangles.size(),
+                 [&](std::size_t f) { set_area(int(f), 2 * edges + int(f), elements); });
     return elements.sum(3 * m_mesh.number_of_vertices(), parallel);
   }
 
@@ -167,7 +174,8 @@ private:
   }
 };
 
-CGAL_GDP_INLINE Eigen::SparseMatrix<double> shell_hessian(const Indexed_triangles& mesh, const Shell_stiffness& stiffness, bool parallel)
+CGAL_GDP_INLINE Eigen::SparseMatrix<double> shell_hessian(const Indexed_triangles& mesh,
+                                                          const Shell_stiffness& stiffness, bool parallel)
 {
   return Shell_hessian(mesh, stiffness, parallel).matrix(parallel);
 }

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_ANY_LINEAR_SOLVER_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_ANY_LINEAR_SOLVER_H
@@ -19,7 +24,8 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// What a linear system asks of its solver, whichever that is: all above it is compiled once for all solvers. See Linear_solver.
+// What a linear system asks of its solver, whichever that is: all above it is compiled once for all solvers. See
+// Linear_solver.
 class Any_linear_solver
 {
 public:
@@ -30,10 +36,16 @@ public:
   virtual Error_code analyze(const Eigen::SparseMatrix<double>& matrix) = 0;
   virtual bool has_factor() const = 0;
   virtual Error_code factorize(const Eigen::SparseMatrix<double>& matrix, const std::function<bool()>& go_on) = 0;
-  virtual Error_code solve(const Eigen::MatrixXd& right, Eigen::MatrixXd& solution, const std::function<bool()>& go_on) = 0;
+  virtual Error_code solve(const Eigen::MatrixXd& right, Eigen::MatrixXd& solution,
+                           const std::function<bool()>& go_on) = 0;
 
 protected:
-  Any_linear_solver(bool lower, bool iterative, bool order) : reads_lower_triangle(lower), is_iterative(iterative), needs_order(order) {}
+  Any_linear_solver(bool lower, bool iterative, bool order)
+    : reads_lower_triangle(lower)
+    , is_iterative(iterative)
+    , needs_order(order)
+  {
+  }
 };
 
 template <class SolverTraits>
@@ -67,7 +79,8 @@ std::unique_ptr<Any_linear_solver> any_linear_solver(const SolverTraits& traits)
 }
 
 // The default where there is no CHOLMOD.
-typedef Eigen_solver_traits<Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int> > >
+typedef Eigen_solver_traits<
+  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int> > >
   Eigen_cholesky_traits;
 
 #ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_ANY_LINEAR_SOLVER_IMPL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_ANY_LINEAR_SOLVER_IMPL_H
@@ -16,7 +21,8 @@ namespace internal {
 
 #ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
 template std::unique_ptr<Any_linear_solver> any_linear_solver(const Default_sparse_linear_solver&);
-template std::unique_ptr<Any_linear_solver> any_linear_solver(const Conjugate_gradient_solver_traits<Parallel_if_available_tag>&);
+template std::unique_ptr<Any_linear_solver> any_linear_solver(
+  const Conjugate_gradient_solver_traits<Parallel_if_available_tag>&);
 #ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD
 template std::unique_ptr<Any_linear_solver> any_linear_solver(const Eigen_cholesky_traits&);
 #endif

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_BORROWED_NUMBER_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_BORROWED_NUMBER_H
@@ -15,9 +20,9 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// A number of a library that several threads set for a while, each from enter() to leave(). Whether the library keeps one number for
-// the process or one for every thread, all of them are in the end what they were: a number of the process is given back by the
-// last who leaves, one of a thread by that thread.
+// A number of a library that several threads set for a while, each from enter() to leave(). Whether the library keeps
+// one number for the process or one for every thread, all of them are in the end what they were: a number of the
+// process is given back by the last who leaves, one of a thread by that thread.
 class Borrowed_number
 {
 public:

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_CHOLMOD_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_CHOLMOD_H
@@ -22,7 +27,8 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Settings of CHOLMOD that suit the systems of this package, for as long as it lives. What the caller has set stays as it is.
+// Settings of CHOLMOD that suit the systems of this package, for as long as it lives. What the caller has set stays as
+// it is.
 class Cholmod_settings_scope
 {
   cholmod_common& m_common;
@@ -71,8 +77,8 @@ public:
   Cholmod_settings_scope& operator=(const Cholmod_settings_scope&) = delete;
 
 private:
-  // The degrees of freedom come in a fill-reducing order already, postordered: CHOLMOD shall not look for another, nor copy the matrix to
-  // permute it.
+  // The degrees of freedom come in a fill-reducing order already, postordered: CHOLMOD shall not look for another, nor
+  // copy the matrix to permute it.
   void keep_order()
   {
     m_common.nmethods = 1;
@@ -80,8 +86,8 @@ private:
     m_common.postorder = 0;
   }
 
-  // Fewer and larger fronts, with some zeros in them: a third of the time where they are tiny, as in a graph of degree three, for a
-  // factor that is larger by as much.
+  // Fewer and larger fronts, with some zeros in them: a third of the time where they are tiny, as in a graph of degree
+  // three, for a factor that is larger by as much.
   void merge_small_fronts()
   {
     std::size_t (&columns)[3] = m_common.nrelax;

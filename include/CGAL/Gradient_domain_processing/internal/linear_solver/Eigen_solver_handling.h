@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_EIGEN_SOLVER_HANDLING_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_EIGEN_SOLVER_HANDLING_H
@@ -14,7 +19,8 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// How a solver of Eigen is handled of which no more is known than whether the lower triangle of the matrix is all it reads.
+// How a solver of Eigen is handled of which no more is known than whether the lower triangle of the matrix is all it
+// reads.
 template <class EigenSolver, bool lower>
 struct Usual_handling
 {

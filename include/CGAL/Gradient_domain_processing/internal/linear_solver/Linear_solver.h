@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_LINEAR_SOLVER_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_LINEAR_SOLVER_H
@@ -28,11 +33,11 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// The one place that talks to linear solvers. Copies of a solver's traits may share one factor: has_factor() tells whether that of
-// this object is still there, and factorize() analyzes again where it has to. Can be moved, not copied.
+// The one place that talks to linear solvers. Copies of a solver's traits may share one factor: has_factor() tells
+// whether that of this object is still there, and factorize() analyzes again where it has to. Can be moved, not copied.
 //
-// This is for any model of SparseLinearAlgebraWithFactorTraits_d: the matrix is handed over entry by entry, and the channels are solved
-// one after the other. Whether copies share anything is not known; that they do is assumed.
+// This is for any model of SparseLinearAlgebraWithFactorTraits_d: the matrix is handed over entry by entry, and the
+// channels are solved one after the other. Whether copies share anything is not known; that they do is assumed.
 template <class SolverTraits>
 class Linear_solver
 {
@@ -123,9 +128,14 @@ public:
   static constexpr bool reads_lower_triangle = Handling::reads_lower_triangle;
   static constexpr bool is_iterative = std::is_base_of<Eigen::IterativeSolverBase<EigenSolver>, EigenSolver>::value;
   static constexpr bool needs_order = !is_iterative;
-  static constexpr bool is_cholesky = reads_lower_triangle && !is_iterative; // of ours, which need no more than their factor
+  // of ours, which need no more than their factor
+  static constexpr bool is_cholesky = reads_lower_triangle && !is_iterative;
 
-  explicit Linear_solver(const Eigen_solver_traits<EigenSolver>& traits) : m_traits(traits), m_claim(&m_traits.solver()) {}
+  explicit Linear_solver(const Eigen_solver_traits<EigenSolver>& traits)
+    : m_traits(traits)
+    , m_claim(&m_traits.solver())
+  {
+  }
 
   void merge_small_fronts() { m_merges_small_fronts = true; }
 

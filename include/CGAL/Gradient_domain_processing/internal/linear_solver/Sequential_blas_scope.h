@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_SEQUENTIAL_BLAS_SCOPE_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_SEQUENTIAL_BLAS_SCOPE_H
@@ -18,9 +23,10 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// While it lives, CHOLMOD works on one thread. The fronts of a surface are small: CHOLMOD asks OpenMP for four threads at each of
-// them and OpenBLAS for as many as there are processors, which costs more than it saves on an idle machine, and many times
-// the work on a busy one. Whether there are an OpenMP and an OpenBLAS in the process is known when it runs.
+// While it lives, CHOLMOD works on one thread. The fronts of a surface are small: CHOLMOD asks OpenMP for four threads
+// at each of them and OpenBLAS for as many as there are processors, which costs more than it saves on an idle machine,
+// and many times the work on a busy one. Whether there are an OpenMP and an OpenBLAS in the process is known when it
+// runs.
 class Sequential_blas_scope
 {
 public:

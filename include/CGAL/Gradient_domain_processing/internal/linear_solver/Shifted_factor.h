@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_SHIFTED_FACTOR_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_SHIFTED_FACTOR_H
@@ -47,8 +52,8 @@ public:
 };
 #endif
 
-// A - sigma B with both symmetric, B positive definite, factorized as L D L^T. By Sylvester's law of inertia the signs of D count
-// the eigenvalues of the pair below sigma.
+// A - sigma B with both symmetric, B positive definite, factorized as L D L^T. By Sylvester's law of inertia the signs
+// of D count the eigenvalues of the pair below sigma.
 class Shifted_factor
 {
   Ldlt m_solver;

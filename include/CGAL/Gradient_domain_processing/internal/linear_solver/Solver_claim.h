@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_SOLVER_CLAIM_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_SOLVER_CLAIM_H
@@ -16,8 +21,9 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Copies of a solver's traits share one solver, and so its factor, which nobody sees. A claim tells whether it was the last to take
-// the solver: what it has left there is still there. The solver is known by an address and must outlive the claim.
+// Copies of a solver's traits share one solver, and so its factor, which nobody sees. A claim tells whether it was the
+// last to take the solver: what it has left there is still there. The solver is known by an address and must outlive
+// the claim.
 class Solver_claim
 {
   struct Solver

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_MEMORY_ESTIMATE_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_MEMORY_ESTIMATE_H
@@ -21,15 +26,17 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Entries of the Cholesky factor of a triangle mesh with so many unknowns. Nested dissection of a surface leaves O(n log n) of
-// them; on meshes of 8 thousand to 4 million vertices CHOLMOD keeps 3.4 to 4.1 n log2 n, the zeros in its dense blocks included.
+// Entries of the Cholesky factor of a triangle mesh with so many unknowns. Nested dissection of a surface leaves O(n
+// log n) of them; on meshes of 8 thousand to 4 million vertices CHOLMOD keeps 3.4 to 4.1 n log2 n, the zeros in its
+// dense blocks included.
 inline double cholesky_factor_entries(std::size_t unknowns)
 {
   return 4.1 * double(unknowns) * std::log2(double(unknowns) + 1);
 }
 
-// Bytes that a Cholesky factorization needs at most, beside the mesh itself: the factor, a tenth of it as work space, and
-// arrays linear in the mesh: mesh arrays and matrix were measured at 290 bytes a vertex, three channels at 100; 60 are to spare.
+// Bytes that a Cholesky factorization needs at most, beside the mesh itself: the factor, a tenth of it as work space,
+// and arrays linear in the mesh: mesh arrays and matrix were measured at 290 bytes a vertex, three channels at 100; 60
+// are to spare.
 inline double cholesky_memory(std::size_t unknowns)
 {
   return 1.1 * sizeof(double) * cholesky_factor_entries(unknowns) + 450. * double(unknowns);
@@ -55,8 +62,8 @@ inline double available_memory()
   return std::numeric_limits<double>::infinity();
 }
 
-// Whether a Cholesky factorization with so many unknowns is expected to fit in memory, and its entries in the `int` that counts
-// them. To be asked when the mesh has been read.
+// Whether a Cholesky factorization with so many unknowns is expected to fit in memory, and its entries in the `int`
+// that counts them. To be asked when the mesh has been read.
 inline bool cholesky_fits(std::size_t unknowns, double memory = available_memory())
 {
   return cholesky_memory(unknowns) < 0.9 * memory

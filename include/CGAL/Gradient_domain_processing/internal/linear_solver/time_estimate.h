@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_TIME_ESTIMATE_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_TIME_ESTIMATE_H
@@ -28,8 +33,9 @@ struct Solver_task
   unsigned cores = 1;
 };
 
-// The times are seconds of one core of 2024, of which only ratios matter. Constants were fitted to spheres with noise of 3, 30, 121 and 471
-// thousand vertices; of those of 10, 59, 240 and 949 thousand, they predict the ratio of both times within a quarter.
+// The times are seconds of one core of 2024, of which only ratios matter. Constants were fitted to spheres with noise
+// of 3, 30, 121 and 471 thousand vertices; of those of 10, 59, 240 and 949 thousand, they predict the ratio of both
+// times within a quarter.
 inline double on_cores(double seconds, double share_of_one_core, unsigned cores)
 {
   return seconds * (share_of_one_core + (1 - share_of_one_core) / double(cores));
@@ -38,15 +44,18 @@ inline double on_cores(double seconds, double share_of_one_core, unsigned cores)
 // Down to 1e-10. A metric brings couplings of different strength, which cost iterations.
 inline double multigrid_iterations(const Solver_task& task)
 {
-  const double iterations = 12 + 3 * std::log10(1 + task.gradient_weight * double(task.unknowns)); // its argument: cells across a wave, squared
+  // its argument: cells across a wave, squared
+  const double iterations = 12 + 3 * std::log10(1 + task.gradient_weight * double(task.unknowns));
   return task.has_metric ? 1.5 * iterations : iterations;
 }
 
 inline double multigrid_time(const Solver_task& task)
 {
   const double n = double(task.unknowns), quadruples = std::ceil(task.channels / 4.);
-  return task.matrices * (on_cores(1.3e-6 * n, 0.3, task.cores)
-                          + task.solutions_of_each * quadruples * on_cores(1.25e-7 * n * multigrid_iterations(task), 0.07, task.cores));
+  return task.matrices
+         * (on_cores(1.3e-6 * n, 0.3, task.cores)
+            + task.solutions_of_each * quadruples
+                * on_cores(1.25e-7 * n * multigrid_iterations(task), 0.07, task.cores));
 }
 
 inline double cholesky_time(const Solver_task& task)
@@ -58,11 +67,12 @@ inline double cholesky_time(const Solver_task& task)
 #endif
   const double n = double(task.unknowns);
   return on_cores(3.2e-6 * n, 0.33, task.cores)
-         + task.matrices * (2.5e-6 * n + dense * n * std::sqrt(n) + task.solutions_of_each * task.channels * 1.7e-7 * n);
+         + task.matrices
+             * (2.5e-6 * n + dense * n * std::sqrt(n) + task.solutions_of_each * task.channels * 1.7e-7 * n);
 }
 
-// Conjugate gradients with multigrid where Cholesky does not fit into memory, or where they save a fifth of the time and a tenth of
-// a second: on small meshes the solution is exact.
+// Conjugate gradients with multigrid where Cholesky does not fit into memory, or where they save a fifth of the time
+// and a tenth of a second: on small meshes the solution is exact.
 inline bool multigrid_pays(const Solver_task& task, double memory = available_memory())
 {
   if(!cholesky_fits(task.unknowns, memory))

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_INDEXED_TRIANGLES_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_INDEXED_TRIANGLES_H
@@ -26,8 +31,8 @@ namespace internal {
 
 typedef Eigen::Vector3d Vec3;
 
-// No triangle is taken to have less area than this times its largest squared edge length (twice the area, to be precise): the
-// square root of the machine precision, far below what a mesh of any use contains.
+// No triangle is taken to have less area than this times its largest squared edge length (twice the area, to be
+// precise): the square root of the machine precision, far below what a mesh of any use contains.
 constexpr double degeneracy_ratio = 1.5e-8;
 
 // One row a vertex, one column a channel of the signal; a vertex's channels lie together.
@@ -42,12 +47,12 @@ struct Virtual_vertices
   int size() const { return corners.offsets.empty() ? 0 : corners.size(); }
 };
 
-// The surface, or the region of it that is worked on: points and index triples, a soup with any number of triangles at an edge.
-// Points are multiplied by a power of two that brings the extent near one: no product over- or underflows, and not a bit is lost.
-// Vertices are in an order of our own, triangles in that of their lowest vertices.
+// The surface, or the region of it that is worked on: points and index triples, a soup with any number of triangles at
+// an edge. Points are multiplied by a power of two that brings the extent near one: no product over- or underflows, and
+// not a bit is lost. Vertices are in an order of our own, triangles in that of their lowest vertices.
 //
-// Signals have a row for every vertex of the surface. Where several of these are welded, they are one vertex here, with several
-// rows. Polygons are fans around virtual vertices, whose vertices and rows are the last.
+// Signals have a row for every vertex of the surface. Where several of these are welded, they are one vertex here, with
+// several rows. Polygons are fans around virtual vertices, whose vertices and rows are the last.
 struct Indexed_triangles
 {
   std::vector<Vec3> points;
@@ -63,7 +68,10 @@ struct Indexed_triangles
 
   int number_of_vertices() const { return static_cast<int>(points.size()); }
   int number_of_triangles() const { return static_cast<int>(triangles.size()); }
-  int number_of_rows() const { return vertex_of_row.empty() ? number_of_vertices() : static_cast<int>(vertex_of_row.size()); }
+  int number_of_rows() const
+  {
+    return vertex_of_row.empty() ? number_of_vertices() : static_cast<int>(vertex_of_row.size());
+  }
   int number_of_surface_vertices() const { return number_of_rows() - virtual_vertices.size(); }
   int first_virtual_vertex() const { return number_of_vertices() - virtual_vertices.size(); }
   double unit() const { return std::ldexp(1., exponent); }

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_SURFACE_ELEMENTS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_SURFACE_ELEMENTS_H
@@ -19,7 +24,8 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// A soup as one type, so that it can stand where a mesh stands. Its vertices and faces are the indices of points and polygons.
+// A soup as one type, so that it can stand where a mesh stands. Its vertices and faces are the indices of points and
+// polygons.
 template <class PointRange, class PolygonRange>
 struct Polygon_soup
 {

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_ARRANGE_IMPL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_ARRANGE_IMPL_H
@@ -14,7 +19,8 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-CGAL_GDP_INLINE Error_code check_points(const std::vector<char>& is_bad, Reading& reading, const Indexed_triangles& mesh)
+CGAL_GDP_INLINE Error_code check_points(const std::vector<char>& is_bad, Reading& reading,
+                                        const Indexed_triangles& mesh)
 {
   for(int f = 0; f < mesh.number_of_triangles() && !is_bad.empty(); ++f)
     for(int row : mesh.rows_of(f))

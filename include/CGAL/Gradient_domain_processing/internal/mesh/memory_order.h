@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_MEMORY_ORDER_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_MEMORY_ORDER_H
@@ -34,8 +39,8 @@ inline std::vector<int> inverse_permutation(const std::vector<int>& order)
   return inverse;
 }
 
-// Neighbors in space become neighbors in memory, whatever their order in the surface: all that loops over the arrays gains by it.
-// Answers where the vertices were.
+// Neighbors in space become neighbors in memory, whatever their order in the surface: all that loops over the arrays
+// gains by it. Answers where the vertices were.
 template <class Vertices>
 std::vector<int> sort_vertices(bool parallel, Vertices& vertices, Indexed_triangles& mesh)
 {

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_OFFSET_TO_VOLUMES_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_OFFSET_TO_VOLUMES_H
@@ -15,10 +20,12 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Normals determine a closed surface up to an offset: parallel surfaces have the same. Moves every component along its normals, so that
-// its faces are moved alike, until it encloses the volume it enclosed with the points `before`. Returns how many components would be
-// more than emptied or do not get there; these are left as they are, as those without a volume.
-int offset_to_volumes(const Indexed_triangles& mesh, const std::vector<Vec3>& before, bool parallel, std::vector<Vec3>& after);
+// Normals determine a closed surface up to an offset: parallel surfaces have the same. Moves every component along its
+// normals, so that its faces are moved alike, until it encloses the volume it enclosed with the points `before`.
+// Returns how many components would be more than emptied or do not get there; these are left as they are, as those
+// without a volume.
+int offset_to_volumes(const Indexed_triangles& mesh, const std::vector<Vec3>& before, bool parallel,
+                      std::vector<Vec3>& after);
 
 } // namespace internal
 } // namespace Gradient_domain_processing

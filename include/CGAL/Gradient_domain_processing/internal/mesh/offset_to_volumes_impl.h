@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_OFFSET_TO_VOLUMES_IMPL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_OFFSET_TO_VOLUMES_IMPL_H
@@ -39,7 +44,8 @@ inline std::vector<Vec3> unit_offsets(const Indexed_triangles& mesh, const std::
   return offsets;
 }
 
-CGAL_GDP_INLINE int offset_to_volumes(const Indexed_triangles& mesh, const std::vector<Vec3>& before, bool parallel, std::vector<Vec3>& after)
+CGAL_GDP_INLINE int offset_to_volumes(const Indexed_triangles& mesh, const std::vector<Vec3>& before, bool parallel,
+                                      std::vector<Vec3>& after)
 {
   struct Part
   {
@@ -48,7 +54,9 @@ CGAL_GDP_INLINE int offset_to_volumes(const Indexed_triangles& mesh, const std::
   };
   const Components components = connected_components(mesh);
   std::vector<Part> parts(std::size_t(components.count));
-  const auto part_of = [&](int f) -> Part& { return parts[std::size_t(components.of_vertex[std::size_t(mesh.triangles[std::size_t(f)][0])])]; };
+  const auto part_of = [&](int f) -> Part& {
+    return parts[std::size_t(components.of_vertex[std::size_t(mesh.triangles[std::size_t(f)][0])])];
+  };
   const auto volume = [&](int f, const std::vector<Vec3>& points) {
     const auto& t = mesh.triangles[std::size_t(f)];
     const Vec3& origin = before[std::size_t(part_of(f).origin)];
@@ -80,7 +88,9 @@ CGAL_GDP_INLINE int offset_to_volumes(const Indexed_triangles& mesh, const std::
       if(std::abs(part.wanted - part.volume) > 1e-13 * std::abs(part.wanted))
         part.length += (part.wanted - part.volume) / part.slope;
     for(int v = 0; v < mesh.number_of_vertices(); ++v)
-      moved[std::size_t(v)] = after[std::size_t(v)] + parts[std::size_t(components.of_vertex[std::size_t(v)])].length * offsets[std::size_t(v)];
+      moved[std::size_t(v)] =
+        after[std::size_t(v)]
+        + parts[std::size_t(components.of_vertex[std::size_t(v)])].length * offsets[std::size_t(v)];
   }
 
   const auto has_volume = [](const Part& part) { return std::abs(part.wanted) > 1e-9 * std::pow(part.area, 1.5); };

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_POINTS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_POINTS_H
@@ -49,13 +54,15 @@ Point to_point(const Vec3& p)
 {
   if constexpr (Has_subscript<Point>::value)
   {
-    static_assert(Signal_traits<Point>::dimension == 3, "Signal_traits says how points that have an operator[] are made of three coordinates");
+    static_assert(Signal_traits<Point>::dimension == 3,
+                  "Signal_traits says how points that have an operator[] are made of three coordinates");
     return Signal_traits<Point>::make(p.data());
   }
   else
   {
     typedef typename std::decay<decltype(std::declval<const Point&>().x())>::type Coordinate;
-    static_assert(std::is_constructible<Point, Coordinate, Coordinate, Coordinate>::value, "points can be made from three coordinates");
+    static_assert(std::is_constructible<Point, Coordinate, Coordinate, Coordinate>::value,
+                  "points can be made from three coordinates");
     return Point(Coordinate(p[0]), Coordinate(p[1]), Coordinate(p[2]));
   }
 }

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_POLYGON_FANS_IMPL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_POLYGON_FANS_IMPL_H
@@ -23,7 +28,8 @@ CGAL_GDP_INLINE Eigen::VectorXd virtual_vertex_weights(const std::vector<Vec3>& 
   for(const Vec3& p : polygon)
     mean += p / n;
 
-  // sum of |(p_i - x) x (p_j - x)|^2 over the sides is quadratic in x: x^T a x - 2 b^T x + c, with x relative to the mean
+  // sum of |(p_i - x) x (p_j - x)|^2 over the sides is quadratic in x: x^T a x - 2 b^T x + c, with x relative to the
+  // mean
   Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
   Vec3 b = Vec3::Zero();
   for(int i = 0; i < n; ++i)
@@ -39,7 +45,8 @@ CGAL_GDP_INLINE Eigen::VectorXd virtual_vertex_weights(const std::vector<Vec3>& 
   a += 1e-12 * a.trace() * Eigen::Matrix3d::Identity(); // for a line
   const Vec3 x = a.inverse() * b;
 
-  // the least change of equal weights that makes the mean of the corners this point; what is not in the corners' span stays
+  // the least change of equal weights that makes the mean of the corners this point; what is not in the corners' span
+  // stays
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
   for(const Vec3& p : polygon)
     scatter += (p - mean) * (p - mean).transpose();

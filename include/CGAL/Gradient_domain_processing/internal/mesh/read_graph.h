@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_READ_GRAPH_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_READ_GRAPH_H
@@ -145,8 +150,8 @@ struct Face_check<Graph, decltype(void(std::declval<const Graph&>().has_valid_in
 
 // The vertices at which a face outside of the region is, and the border of the mesh there.
 template <class Graph>
-void mark_vertices_with_faces_outside(const Graph& graph, const Surface_elements<Graph>& elements, Indexed_triangles& mesh,
-                                      std::vector<char>& has_face_outside)
+void mark_vertices_with_faces_outside(const Graph& graph, const Surface_elements<Graph>& elements,
+                                      Indexed_triangles& mesh, std::vector<char>& has_face_outside)
 {
   std::vector<int> degree(mesh.number_of_vertices(), 0), faces_inside(mesh.number_of_vertices(), 0);
   std::vector<char> is_on_border(mesh.number_of_vertices(), 0);
@@ -177,8 +182,9 @@ void mark_vertices_with_faces_outside(const Graph& graph, const Surface_elements
 
 // A region: the given faces and their vertices, in time and memory of the region.
 template <class FaceRange, class Graph, class VertexPointMap, class NamedParameters>
-Error_code read_region(const FaceRange& region, const Graph& graph, VertexPointMap vpm, const NamedParameters&, Reading& reading,
-                       Surface_elements<Graph>& elements, Indexed_triangles& mesh, std::vector<char>& has_face_outside)
+Error_code read_region(const FaceRange& region, const Graph& graph, VertexPointMap vpm, const NamedParameters&,
+                       Reading& reading, Surface_elements<Graph>& elements, Indexed_triangles& mesh,
+                       std::vector<char>& has_face_outside)
 {
   typedef typename boost::graph_traits<Graph>::vertex_descriptor vertex_descriptor;
   reading.parallel = false;
@@ -215,8 +221,8 @@ Error_code read_region(const FaceRange& region, const Graph& graph, VertexPointM
 
 // The area of the whole mesh, in units of the arrays of it or of one of its regions.
 template <class Graph, class VertexPointMap>
-double total_area(const Graph& graph, VertexPointMap vpm, const Surface_elements<Graph>& elements, const Indexed_triangles& mesh,
-                  bool parallel)
+double total_area(const Graph& graph, VertexPointMap vpm, const Surface_elements<Graph>& elements,
+                  const Indexed_triangles& mesh, bool parallel)
 {
   if(elements.faces.size() == num_faces(graph)) // the arrays are read several times as fast as the mesh
     return mesh.area(parallel);
@@ -229,8 +235,10 @@ double total_area(const Graph& graph, VertexPointMap vpm, const Surface_elements
     for(auto v : CGAL::vertices_around_face(halfedge(f, graph), graph))
       polygon.push_back(factor * to_vec3(get(vpm, v)));
     sum += polygon.size() == 3 // vertices_around_face() begins with the target of halfedge(f)
-         ? Triangle_metric::embedding(polygon[2], polygon[0], polygon[1]).with_area_bounded_below(degeneracy_ratio).area()
-         : polygon_area(polygon);
+             ? Triangle_metric::embedding(polygon[2], polygon[0], polygon[1])
+                 .with_area_bounded_below(degeneracy_ratio)
+                 .area()
+             : polygon_area(polygon);
   }
   return sum;
 }

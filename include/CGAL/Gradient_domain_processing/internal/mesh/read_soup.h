@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_READ_SOUP_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_READ_SOUP_H
@@ -43,10 +48,11 @@ Lists read_polygons(const Polygon_soup<PointRange, PolygonRange>& soup, const Fa
 // Moves polygons that are all triangles to the mesh.
 void take_triangles(Lists& polygons, Indexed_triangles& mesh);
 
-// Reads what `faces` of the elements say, by the points of `vertices` of the elements; `row_of_point` is the inverse of the latter.
+// Reads what `faces` of the elements say, by the points of `vertices` of the elements; `row_of_point` is the inverse of
+// the latter.
 template <class Soup>
-Error_code read_soup_elements(const Soup& soup, std::vector<int>& row_of_point, Reading& reading, Surface_elements<Soup>& elements,
-                              Indexed_triangles& mesh)
+Error_code read_soup_elements(const Soup& soup, std::vector<int>& row_of_point, Reading& reading,
+                              Surface_elements<Soup>& elements, Indexed_triangles& mesh)
 {
   Lists polygons = read_polygons(soup, elements.faces);
   std::vector<char> is_bad = read_points(elements.vertices, [&](std::size_t v) { return soup.points[v]; }, mesh);
@@ -65,8 +71,9 @@ Error_code read_soup_elements(const Soup& soup, std::vector<int>& row_of_point, 
 }
 
 template <class PointRange, class PolygonRange, class PointMap, class NamedParameters>
-Error_code read_surface(const Polygon_soup<PointRange, PolygonRange>& soup, PointMap, const NamedParameters&, Reading& reading,
-                        Surface_elements<Polygon_soup<PointRange, PolygonRange> >& elements, Indexed_triangles& mesh)
+Error_code read_surface(const Polygon_soup<PointRange, PolygonRange>& soup, PointMap, const NamedParameters&,
+                        Reading& reading, Surface_elements<Polygon_soup<PointRange, PolygonRange> >& elements,
+                        Indexed_triangles& mesh)
 {
   const std::size_t number_of_points = std::size_t(std::distance(std::begin(soup.points), std::end(soup.points)));
   elements.vertices.resize(number_of_points);
@@ -79,13 +86,16 @@ Error_code read_surface(const Polygon_soup<PointRange, PolygonRange>& soup, Poin
   return read_soup_elements(soup, row_of_point, reading, elements, mesh);
 }
 
-// Border vertices of the whole soup among those with a face outside of the region, by counting the faces at their edges.
+// Border vertices of the whole soup among those with a face outside of the region, by counting the faces at their
+// edges.
 template <class Soup>
-void mark_border_outside(const Soup& soup, const std::vector<int>& row_of_point, const std::vector<char>& has_face_outside,
-                         Indexed_triangles& mesh)
+void mark_border_outside(const Soup& soup, const std::vector<int>& row_of_point,
+                         const std::vector<char>& has_face_outside, Indexed_triangles& mesh)
 {
   std::map<std::pair<int, int>, int> faces_at_edge;
-  const auto vertex_at = [&](std::size_t point) { return row_of_point[point] < 0 ? -1 - int(point) : mesh.vertex_of(row_of_point[point]); };
+  const auto vertex_at = [&](std::size_t point) {
+    return row_of_point[point] < 0 ? -1 - int(point) : mesh.vertex_of(row_of_point[point]);
+  };
   for(const auto& polygon : soup.polygons)
   {
     const std::size_t n = polygon.size();
@@ -107,13 +117,15 @@ void mark_border_outside(const Soup& soup, const std::vector<int>& row_of_point,
 }
 
 template <class FaceRange, class PointRange, class PolygonRange, class PointMap, class NamedParameters>
-Error_code read_region(const FaceRange& region, const Polygon_soup<PointRange, PolygonRange>& soup, PointMap, const NamedParameters&,
-                       Reading& reading, Surface_elements<Polygon_soup<PointRange, PolygonRange> >& elements,
-                       Indexed_triangles& mesh, std::vector<char>& has_face_outside)
+Error_code read_region(const FaceRange& region, const Polygon_soup<PointRange, PolygonRange>& soup, PointMap,
+                       const NamedParameters&, Reading& reading,
+                       Surface_elements<Polygon_soup<PointRange, PolygonRange> >& elements, Indexed_triangles& mesh,
+                       std::vector<char>& has_face_outside)
 {
   const std::size_t number_of_points = std::size_t(std::distance(std::begin(soup.points), std::end(soup.points)));
   const std::size_t number_of_polygons = std::size_t(std::distance(std::begin(soup.polygons), std::end(soup.polygons)));
-  std::vector<char> is_inside(number_of_polygons, 0), is_at_region(number_of_points, 0), is_at_outside(number_of_points, 0);
+  std::vector<char> is_inside(number_of_polygons, 0), is_at_region(number_of_points, 0),
+    is_at_outside(number_of_points, 0);
   for(const auto& f : region)
   {
     if(std::size_t(f) >= number_of_polygons)
@@ -151,7 +163,8 @@ Error_code read_region(const FaceRange& region, const Polygon_soup<PointRange, P
 
 template <class PointRange, class PolygonRange, class PointMap>
 double total_area(const Polygon_soup<PointRange, PolygonRange>& soup, PointMap,
-                  const Surface_elements<Polygon_soup<PointRange, PolygonRange> >& elements, const Indexed_triangles& mesh, bool parallel)
+                  const Surface_elements<Polygon_soup<PointRange, PolygonRange> >& elements,
+                  const Indexed_triangles& mesh, bool parallel)
 {
   if(elements.faces.size() == std::size_t(std::distance(std::begin(soup.polygons), std::end(soup.polygons))))
     return mesh.area(parallel);

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_RESTORE_VOLUMES_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_RESTORE_VOLUMES_H
@@ -15,9 +20,9 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Scales every component about its centroid (that of its surface) so that it encloses the volume it enclosed with the points
-// `before`. A component that has none, or whose volume is the same, is left as it is. False where one has collapsed or is turned
-// inside out.
+// Scales every component about its centroid (that of its surface) so that it encloses the volume it enclosed with the
+// points `before`. A component that has none, or whose volume is the same, is left as it is. False where one has
+// collapsed or is turned inside out.
 bool restore_volumes(const Indexed_triangles& mesh, const std::vector<Vec3>& before, std::vector<Vec3>& after);
 
 } // namespace internal

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_SIGNALS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_SIGNALS_H
@@ -25,8 +30,8 @@ namespace internal {
 
 // A signal by rows, those of virtual vertices included. NaN is let through where it means a missing value.
 template <class InMap, class Surface>
-Error_code read_signal(InMap in, const Surface_elements<Surface>& elements, const Indexed_triangles& mesh, bool may_be_missing,
-                       Culprit& culprit, Signal& signal)
+Error_code read_signal(InMap in, const Surface_elements<Surface>& elements, const Indexed_triangles& mesh,
+                       bool may_be_missing, Culprit& culprit, Signal& signal)
 {
   typedef Signal_traits<typename boost::property_traits<InMap>::value_type> Traits;
   signal.resize(mesh.number_of_rows(), Traits::dimension);
@@ -81,7 +86,8 @@ Error_code write_signal(InMap in, const Signal& result, OutMap out, const Surfac
 
 // Vectors by row.
 template <class Map, class Surface>
-Error_code read_vectors(Map map, const Surface_elements<Surface>& elements, const Indexed_triangles& mesh, Culprit& culprit, Signal& vectors)
+Error_code read_vectors(Map map, const Surface_elements<Surface>& elements, const Indexed_triangles& mesh,
+                        Culprit& culprit, Signal& vectors)
 {
   vectors.resize(mesh.number_of_rows(), 3);
   for(int row = 0; row < mesh.number_of_surface_vertices(); ++row)

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_WELD_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_WELD_H
@@ -13,8 +18,9 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Makes one vertex of those on the border that share a place, within a tolerance relative to the extent: the sides of a seam move
-// together. Answers how many vertices went into others. Corners and borders are those of before, and to be made anew if any did.
+// Makes one vertex of those on the border that share a place, within a tolerance relative to the extent: the sides of a
+// seam move together. Answers how many vertices went into others. Corners and borders are those of before, and to be
+// made anew if any did.
 int weld_border(double tolerance, Indexed_triangles& mesh);
 
 } // namespace internal

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_WELD_IMPL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_WELD_IMPL_H
@@ -75,7 +80,8 @@ private:
       else
       {
         const double x = p[i] + 0.; // one zero
-        std::copy_n(reinterpret_cast<const unsigned char*>(&x), sizeof x, reinterpret_cast<unsigned char*>(&cell.at[i]));
+        std::copy_n(reinterpret_cast<const unsigned char*>(&x), sizeof x,
+                    reinterpret_cast<unsigned char*>(&cell.at[i]));
       }
     return cell;
   }

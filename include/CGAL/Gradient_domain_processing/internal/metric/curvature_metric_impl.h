@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_METRIC_CURVATURE_METRIC_IMPL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_METRIC_CURVATURE_METRIC_IMPL_H
@@ -23,8 +28,8 @@ CGAL_GDP_INLINE bool is_valid_stretch(const std::pair<double, double>& s)
   return s.first > 0 && s.second > 0 && std::isfinite(s.first) && std::isfinite(s.second);
 }
 
-// The metric of a triangle, stretched. Where the principal curvatures are equal, the directions mean nothing and the metric is a
-// multiple of the embedding's.
+// The metric of a triangle, stretched. Where the principal curvatures are equal, the directions mean nothing and the
+// metric is a multiple of the embedding's.
 CGAL_GDP_INLINE Triangle_metric stretched_metric(const Indexed_triangles& mesh, int f, const Principal_curvatures& k,
                                         const std::pair<double, double>& s)
 {
@@ -40,8 +45,9 @@ CGAL_GDP_INLINE Triangle_metric stretched_metric(const Indexed_triangles& mesh, 
   return metric.with_area_bounded_below(degeneracy_ratio);
 }
 
-CGAL_GDP_INLINE int stretched_metrics(const Indexed_triangles& mesh, const std::vector<Principal_curvatures>& curvatures,
-                                      const Stretch& stretch, bool parallel, Untouched_vector<Triangle_metric>& metrics)
+CGAL_GDP_INLINE int stretched_metrics(const Indexed_triangles& mesh,
+                                      const std::vector<Principal_curvatures>& curvatures, const Stretch& stretch,
+                                      bool parallel, Untouched_vector<Triangle_metric>& metrics)
 {
   constexpr std::size_t block_size = 2048;
   metrics.resize(mesh.triangles.size());

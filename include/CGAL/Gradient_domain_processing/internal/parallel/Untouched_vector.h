@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_PARALLEL_UNTOUCHED_VECTOR_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_PARALLEL_UNTOUCHED_VECTOR_H
@@ -30,10 +35,14 @@ struct Untouched_allocator : std::allocator<T>
 
   void construct(T*) { static_assert(std::is_trivially_copyable<T>::value, ""); }
   template <class... Arguments>
-  void construct(T* at, Arguments&&... arguments) { ::new(static_cast<void*>(at)) T(std::forward<Arguments>(arguments)...); }
+  void construct(T* at, Arguments&&... arguments)
+  {
+    ::new(static_cast<void*>(at)) T(std::forward<Arguments>(arguments)...);
+  }
 };
 
-// For a parallel loop that writes every element: the first touch of memory, which costs more than the writing, is parallel then.
+// For a parallel loop that writes every element: the first touch of memory, which costs more than the writing, is
+// parallel then.
 template <class T>
 using Untouched_vector = std::vector<T, Untouched_allocator<T> >;
 

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_PARALLEL_PARALLEL_BLOCKS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_PARALLEL_PARALLEL_BLOCKS_H
@@ -17,8 +22,8 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Cuts [0, n) into blocks of the given size and calls body(begin, end) for each. The blocks depend on nothing but n and the
-// size: what is computed block by block is the same to the bit with any number of threads.
+// Cuts [0, n) into blocks of the given size and calls body(begin, end) for each. The blocks depend on nothing but n and
+// the size: what is computed block by block is the same to the bit with any number of threads.
 template <class Body>
 void for_each_block(bool parallel, std::size_t n, std::size_t size, const Body& body)
 {
@@ -45,7 +50,8 @@ template <class Sum, class Body>
 Sum sum_over_blocks(bool parallel, std::size_t n, std::size_t size, const Sum& zero, const Body& body)
 {
   std::vector<Sum> partial((n + size - 1) / size, zero);
-  for_each_block(parallel, n, size, [&](std::size_t begin, std::size_t end) { partial[begin / size] = body(begin, end); });
+  for_each_block(parallel, n, size,
+                 [&](std::size_t begin, std::size_t end) { partial[begin / size] = body(begin, end); });
   Sum sum = zero;
   for(const Sum& p : partial)
     sum += p;

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_PARALLEL_TBB_PARALLEL_FOR_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_PARALLEL_TBB_PARALLEL_FOR_H
@@ -36,8 +41,8 @@ namespace internal {
 
 typedef tbb::blocked_range<std::size_t> Loop_range;
 
-// A reference to the body of a loop, of one type for all loops: TBB's templates are instantiated once instead of for every
-// body, and their names stay short enough for ThreadSanitizer to find those it shall suppress.
+// A reference to the body of a loop, of one type for all loops: TBB's templates are instantiated once instead of for
+// every body, and their names stay short enough for ThreadSanitizer to find those it shall suppress.
 class Loop_body
 {
 public:
@@ -60,8 +65,9 @@ private:
   Call m_call;
 };
 
-// ThreadSanitizer does not see into the library of TBB, which is compiled without it, and would not know that the parts of a
-// loop come after all that was before the loop. It is told by two addresses: where the loop began, and where a part ended.
+// ThreadSanitizer does not see into the library of TBB, which is compiled without it, and would not know that the parts
+// of a loop come after all that was before the loop. It is told by two addresses: where the loop began, and where a
+// part ended.
 template <class Body, class... Arguments>
 void tbb_parallel_for(const Loop_range& range, const Body& body, Arguments&&... arguments)
 {

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_SPECTRUM_BLOCK_LANCZOS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_SPECTRUM_BLOCK_LANCZOS_H
@@ -30,9 +35,9 @@ struct Eigenpairs
   Eigen::MatrixXd vectors;
 };
 
-// The eigenpairs of (A, B) around a shift, by the Lanczos process for (A - sigma B)^-1 B, several vectors at a time: a multiple
-// eigenvalue shows as often as a block has vectors, and the factor is read once for all of them. Every vector is made
-// orthogonal to all before, and to eigenvectors that are known.
+// The eigenpairs of (A, B) around a shift, by the Lanczos process for (A - sigma B)^-1 B, several vectors at a time: a
+// multiple eigenvalue shows as often as a block has vectors, and the factor is read once for all of them. Every vector
+// is made orthogonal to all before, and to eigenvectors that are known.
 class Block_lanczos
 {
   static constexpr int block_size = 4; // as many as CHOLMOD solves for at a time
@@ -57,9 +62,14 @@ public:
   };
 
   // `known` are eigenvectors not to be found again.
-  Block_lanczos(const Eigen::SparseMatrix<double>& b, const Shifted_factor& factor, const Eigen::MatrixXd& known, double sigma,
-                double tolerance)
-    : m_b(b), m_factor(factor), m_known(known), m_sigma(sigma), m_tolerance(tolerance), m_random(1)
+  Block_lanczos(const Eigen::SparseMatrix<double>& b, const Shifted_factor& factor, const Eigen::MatrixXd& known,
+                double sigma, double tolerance)
+    : m_b(b)
+    , m_factor(factor)
+    , m_known(known)
+    , m_sigma(sigma)
+    , m_tolerance(tolerance)
+    , m_random(1)
   {
     m_basis.resize(b.rows(), block());
     for(int j = 0; j < block(); ++j)
@@ -125,7 +135,8 @@ private:
       v[i] = double(m_random()) / 2147483648. - 1;
   }
 
-  // Takes what is in the span of the basis and of what is known, and answers the coefficients of the former. Twice is enough.
+  // Takes what is in the span of the basis and of what is known, and answers the coefficients of the former. Twice is
+  // enough.
   Eigen::MatrixXd project(Eigen::MatrixXd& w) const
   {
     Eigen::MatrixXd coefficients = Eigen::MatrixXd::Zero(m_basis.cols(), w.cols());
@@ -144,8 +155,8 @@ private:
     return coefficients;
   }
 
-  // Makes the columns orthonormal, to the basis as well. One that depends on others is replaced by a random one, or, where there
-  // is no room for it, dropped.
+  // Makes the columns orthonormal, to the basis as well. One that depends on others is replaced by a random one, or,
+  // where there is no room for it, dropped.
   void orthonormalize(Eigen::MatrixXd& w)
   {
     int kept = 0;
@@ -175,7 +186,10 @@ private:
     w.conservativeResize(Eigen::NoChange, kept);
   }
 
-  double norm(const Eigen::MatrixXd& v) const { return std::sqrt((std::max)(0., v.col(0).dot(Eigen::VectorXd(m_b * v.col(0))))); }
+  double norm(const Eigen::MatrixXd& v) const
+  {
+    return std::sqrt((std::max)(0., v.col(0).dot(Eigen::VectorXd(m_b * v.col(0)))));
+  }
 };
 
 } // namespace internal

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_SPECTRUM_RATIONAL_FILTER_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_SPECTRUM_RATIONAL_FILTER_H
@@ -14,8 +19,9 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// A transfer function as a sum of partial fractions, so that a signal is filtered without any harmonics, by one positive definite
-// system a fraction. Those of second degree have a pair of complex poles, and are real with S M^-1 S in the matrix.
+// A transfer function as a sum of partial fractions, so that a signal is filtered without any harmonics, by one
+// positive definite system a fraction. Those of second degree have a pair of complex poles, and are real with S M^-1 S
+// in the matrix.
 class Rational_filter
 {
 public:
@@ -43,8 +49,8 @@ public:
     return result;
   }
 
-  // 1 / (1 + (mu / cut_off)^order), a half at the cut-off: what Butterworth filters are. At mu = q cut_off, q < 1, it is within q^order
-  // of one, and at mu = cut_off / q within q^order of zero.
+  // 1 / (1 + (mu / cut_off)^order), a half at the cut-off: what Butterworth filters are. At mu = q cut_off, q < 1, it
+  // is within q^order of one, and at mu = cut_off / q within q^order of zero.
   static Rational_filter low_pass(double cut_off, int order)
   {
     Rational_filter filter;
@@ -85,8 +91,9 @@ public:
     for(const Fraction& fraction : m_fractions)
     {
       const double z = mu / fraction.cut_off;
-      sum += fraction.has_second_degree ? fraction.weight * (1 - fraction.slope * z) / (z * z + 2 * fraction.shift * z + 1)
-                                        : fraction.weight / (z + 1);
+      sum += fraction.has_second_degree
+               ? fraction.weight * (1 - fraction.slope * z) / (z * z + 2 * fraction.shift * z + 1)
+               : fraction.weight / (z + 1);
     }
     return sum;
   }

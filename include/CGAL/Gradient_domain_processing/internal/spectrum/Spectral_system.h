@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_SPECTRUM_SPECTRAL_SYSTEM_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_SPECTRUM_SPECTRAL_SYSTEM_H
@@ -40,15 +45,19 @@ class Spectral_system
   bool m_parallel;
 
 public:
-  Spectral_system(std::unique_ptr<Any_linear_solver> solver, bool parallel) : m_solver(std::move(solver)), m_parallel(parallel) {}
+  Spectral_system(std::unique_ptr<Any_linear_solver> solver, bool parallel)
+    : m_solver(std::move(solver))
+    , m_parallel(parallel)
+  {
+  }
 
   bool is_parallel() const { return m_parallel; }
   const Degrees_of_freedom& degrees_of_freedom() const { return m_dofs; }
   const Sparse_matrix& stiffness() const { return m_stiffness; }
   const Eigen::VectorXd& masses() const { return m_masses; }
 
-  Error_code assemble_matrices(const Indexed_triangles& mesh, const Triangle_metrics& metrics, const std::vector<char>& is_constrained,
-                               Progress& progress);
+  Error_code assemble_matrices(const Indexed_triangles& mesh, const Triangle_metrics& metrics,
+                               const std::vector<char>& is_constrained, Progress& progress);
 
   // Filters a signal by degree of freedom.
   Error_code apply(const Rational_filter& filter, Progress& progress, Eigen::MatrixXd& signal);
@@ -63,8 +72,8 @@ private:
   Eigen::MatrixXd times_second_degree(const Rational_filter::Fraction& fraction, const Eigen::MatrixXd& x) const;
 
   // Conjugate gradients on all channels side by side, each with its own steps.
-  Error_code solve_second_degree(const Rational_filter::Fraction& fraction, Progress& progress, const Eigen::MatrixXd& right,
-                                 Eigen::MatrixXd& x);
+  Error_code solve_second_degree(const Rational_filter::Fraction& fraction, Progress& progress,
+                                 const Eigen::MatrixXd& right, Eigen::MatrixXd& x);
 };
 
 } // namespace internal

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_SPECTRUM_SPECTRAL_SYSTEM_IMPL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_SPECTRUM_SPECTRAL_SYSTEM_IMPL_H
@@ -29,8 +34,10 @@ CGAL_GDP_INLINE Eigen::RowVectorXd quotients(const Eigen::RowVectorXd& a, const 
   return q;
 }
 
-CGAL_GDP_INLINE Error_code Spectral_system::assemble_matrices(const Indexed_triangles& mesh, const Triangle_metrics& metrics, const std::vector<char>& is_constrained,
-                             Progress& progress)
+CGAL_GDP_INLINE Error_code Spectral_system::assemble_matrices(const Indexed_triangles& mesh,
+                                                              const Triangle_metrics& metrics,
+                                                              const std::vector<char>& is_constrained,
+                                                              Progress& progress)
 {
   if(!progress.go_on())
     return error_cancelled;
@@ -41,8 +48,8 @@ CGAL_GDP_INLINE Error_code Spectral_system::assemble_matrices(const Indexed_tria
   for(int v = 0; v < mesh.number_of_vertices(); ++v)
     is_free[v] = !is_constrained[v] && mesh.corners.size(v) > 0 && v < mesh.first_virtual_vertex();
   bool is_cancelled = false;
-  m_dofs = elimination_order(mesh.points, has_virtual_vertices ? rings_of_polygons(rings, mesh) : rings, is_free, m_parallel,
-                             [&] { return !(is_cancelled = !progress.go_on()); });
+  m_dofs = elimination_order(mesh.points, has_virtual_vertices ? rings_of_polygons(rings, mesh) : rings, is_free,
+                             m_parallel, [&] { return !(is_cancelled = !progress.go_on()); });
   if(is_cancelled)
     return error_cancelled;
 
@@ -65,7 +72,8 @@ CGAL_GDP_INLINE Error_code Spectral_system::assemble_matrices(const Indexed_tria
   return ok;
 }
 
-CGAL_GDP_INLINE Error_code Spectral_system::apply(const Rational_filter& filter, Progress& progress, Eigen::MatrixXd& signal)
+CGAL_GDP_INLINE Error_code Spectral_system::apply(const Rational_filter& filter, Progress& progress,
+                                                  Eigen::MatrixXd& signal)
 {
   const Eigen::MatrixXd weighted = m_masses.asDiagonal() * signal, slopes = times_stiffness(signal);
   Eigen::MatrixXd sum = filter.constant() * signal, right, x;
@@ -123,7 +131,8 @@ CGAL_GDP_INLINE Eigen::MatrixXd Spectral_system::times_stiffness(const Eigen::Ma
   return y;
 }
 
-CGAL_GDP_INLINE Eigen::MatrixXd Spectral_system::times_second_degree(const Rational_filter::Fraction& fraction, const Eigen::MatrixXd& x) const
+CGAL_GDP_INLINE Eigen::MatrixXd Spectral_system::times_second_degree(const Rational_filter::Fraction& fraction,
+                                                                     const Eigen::MatrixXd& x) const
 {
   const double c = fraction.cut_off;
   Eigen::MatrixXd slopes = times_stiffness(x);
@@ -134,8 +143,9 @@ CGAL_GDP_INLINE Eigen::MatrixXd Spectral_system::times_second_degree(const Ratio
   return y;
 }
 
-CGAL_GDP_INLINE Error_code Spectral_system::solve_second_degree(const Rational_filter::Fraction& fraction, Progress& progress, const Eigen::MatrixXd& right,
-                               Eigen::MatrixXd& x)
+CGAL_GDP_INLINE Error_code Spectral_system::solve_second_degree(const Rational_filter::Fraction& fraction,
+                                                                Progress& progress, const Eigen::MatrixXd& right,
+                                                                Eigen::MatrixXd& x)
 {
   const auto go_on = [&] { return progress.go_on(); };
   const auto products = [](const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) -> Eigen::RowVectorXd {

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_SPECTRUM_EIGENPAIRS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_SPECTRUM_EIGENPAIRS_H
@@ -25,9 +30,9 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// The lowest eigenpairs of A x = lambda B x, with symmetric A, bounded from below, and positive definite B, band by band after
-// Vallet and Levy 2008: those around a shift, then a shift farther up. The factor at every shift tells how many eigenvalues are
-// below it, and a band is done when it has them all: none of a multiple eigenvalue is missed.
+// The lowest eigenpairs of A x = lambda B x, with symmetric A, bounded from below, and positive definite B, band by
+// band after Vallet and Levy 2008: those around a shift, then a shift farther up. The factor at every shift tells how
+// many eigenvalues are below it, and a band is done when it has them all: none of a multiple eigenvalue is missed.
 class Lowest_eigenpairs
 {
   static constexpr int band_size = 60;
@@ -55,7 +60,8 @@ public:
       const int missing = below - number_below(sigma);
       if(missing < 0)
         return error_not_converged;
-      if(missing == 0 && int(m_values.size()) >= count && (sigma > m_values[std::size_t(count) - 1] || int(m_values.size()) == n))
+      if(missing == 0 && int(m_values.size()) >= count
+         && (sigma > m_values[std::size_t(count) - 1] || int(m_values.size()) == n))
         break;
       if(const Error_code code = find_band(sigma, missing, (std::max)(count + 1 - int(m_values.size()), missing)))
         return code;
@@ -74,7 +80,8 @@ private:
     return int(std::lower_bound(m_values.begin(), m_values.end(), sigma) - m_values.begin());
   }
 
-  // If it is an eigenvalue, as far as rounding knows, one a little higher: the factor cannot tell on which side that is.
+  // If it is an eigenvalue, as far as rounding knows, one a little higher: the factor cannot tell on which side that
+  // is.
   Error_code factorize_near(double& sigma, int& below)
   {
     Error_code code = ok;
@@ -136,8 +143,8 @@ private:
     }
   }
 
-  // Half a band above the last, or, when there are enough, into the widest gap above the last of these, if there is one, to see whether
-  // any is missing.
+  // Half a band above the last, or, when there are enough, into the widest gap above the last of these, if there is
+  // one, to see whether any is missing.
   double next_shift(int count, double last_shift) const
   {
     const int size = int(m_values.size());
@@ -154,7 +161,8 @@ private:
     }
     const int back = (std::min)(band_size / 2, size - 1);
     const double span = m_values.back() - m_values[std::size_t(size - 1 - back)];
-    const double step = 0.9371 * (span > 0 ? span : mean_spacing()); // no simple number: not onto an eigenvalue of a regular mesh
+    // no simple number: not onto an eigenvalue of a regular mesh
+    const double step = 0.9371 * (span > 0 ? span : mean_spacing());
     return (std::max)(m_values.back(), last_shift) + step;
   }
 
@@ -186,7 +194,8 @@ private:
       const bool can_grow = lanczos.can_grow() && lanczos.size() < largest_basis;
       if(can_grow)
         lanczos.grow();
-      if(can_grow && (lanczos.size() < wanted || lanczos.size() % 16 != 0) && lanczos.can_grow()) // to look costs as much as to grow
+      // to look costs as much as to grow
+      if(can_grow && (lanczos.size() < wanted || lanczos.size() % 16 != 0) && lanczos.can_grow())
         continue;
       const Block_lanczos::Ritz_pairs pairs = lanczos.ritz_pairs();
       const std::vector<int> found = complete(pairs, sigma, low, missing);
@@ -200,8 +209,8 @@ private:
     }
   }
 
-  // Those of the Ritz pairs that have converged and leave none out: all below the shift, if there are as many as are missing; above,
-  // up to the first that has not.
+  // Those of the Ritz pairs that have converged and leave none out: all below the shift, if there are as many as are
+  // missing; above, up to the first that has not.
   static std::vector<int> complete(const Block_lanczos::Ritz_pairs& pairs, double sigma, double low, int missing)
   {
     std::vector<int> below, found;
@@ -255,7 +264,8 @@ private:
   }
 };
 
-inline Error_code lowest_eigenpairs(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& b, int count, Eigenpairs& result)
+inline Error_code lowest_eigenpairs(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& b,
+                                    int count, Eigenpairs& result)
 {
   return Lowest_eigenpairs(a, b).find(count, result);
 }

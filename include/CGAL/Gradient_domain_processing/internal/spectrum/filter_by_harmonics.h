@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_SPECTRUM_FILTER_BY_HARMONICS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_SPECTRUM_FILTER_BY_HARMONICS_H
@@ -16,11 +21,11 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Multiplies the part of a signal along every harmonic by the transfer function of its eigenvalue, and what is orthogonal to all of
-// them by one number.
+// Multiplies the part of a signal along every harmonic by the transfer function of its eigenvalue, and what is
+// orthogonal to all of them by one number.
 template <class TransferFunction>
-Eigen::MatrixXd filter_by_harmonics(const Eigenpairs& harmonics, const Eigen::SparseMatrix<double>& mass, const Eigen::MatrixXd& signal,
-                                    const TransferFunction& transfer, double of_the_rest)
+Eigen::MatrixXd filter_by_harmonics(const Eigenpairs& harmonics, const Eigen::SparseMatrix<double>& mass,
+                                    const Eigen::MatrixXd& signal, const TransferFunction& transfer, double of_the_rest)
 {
   Eigen::MatrixXd parts = harmonics.vectors.transpose() * (mass * signal);
   for(Eigen::Index j = 0; j < parts.rows(); ++j)

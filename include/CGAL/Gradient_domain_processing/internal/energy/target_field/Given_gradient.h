@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_TARGET_FIELD_GIVEN_GRADIENT_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_TARGET_FIELD_GIVEN_GRADIENT_H
@@ -14,8 +19,8 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// v as the caller gave it (1.1, eq. 1): its integrals along the edges from the first corner of every triangle to all three, three
-// rows a triangle.
+// v as the caller gave it (1.1, eq. 1): its integrals along the edges from the first corner of every triangle to all
+// three, three rows a triangle.
 class Given_gradient
 {
   const Indexed_triangles& m_mesh;

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_TARGET_FIELD_NORMAL_FIT_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_TARGET_FIELD_NORMAL_FIT_H
@@ -30,14 +35,14 @@ inline Vec3 rotated(const Vec3& from, const Vec3& to, const Vec3& x)
 
 // v = (I - m m^T) grad x: every triangle is asked to lie in a plane.
 //
-// Faces: the normal m is that of the triangle, turned as the wanted normals at its corners are against those that the mesh has there. So
-// creases, where no vertex has the normal of a face, stay as they are unless the normals ask for something else. Where the wanted
-// normals differ from the mesh's by as much as the triangle does from its corners, what it has of its own is an error as well: m is the mean
-// of the wanted normals then.
+// Faces: the normal m is that of the triangle, turned as the wanted normals at its corners are against those that the
+// mesh has there. So creases, where no vertex has the normal of a face, stay as they are unless the normals ask for
+// something else. Where the wanted normals differ from the mesh's by as much as the triangle does from its corners,
+// what it has of its own is an error as well: m is the mean of the wanted normals then.
 //
-// Edges: the authors' form (after Yu et al. 2004), with the sum of the wanted normals at the ends in place of m for every edge. Its
-// targets do not add up to zero around a triangle; in caps, whose cotangents are large, that throws vertices far away, so these take the
-// form of the faces.
+// Edges: the authors' form (after Yu et al. 2004), with the sum of the wanted normals at the ends in place of m for
+// every edge. Its targets do not add up to zero around a triangle; in caps, whose cotangents are large, that throws
+// vertices far away, so these take the form of the faces.
 class Normal_fit
 {
   const Indexed_triangles& m_mesh;
@@ -54,7 +59,8 @@ public:
     for(int f = 0; f < mesh.number_of_triangles(); ++f)
     {
       const Triangle_metric metric = mesh.embedding_metric(f);
-      m_is_by_edges[f] = kind == Normal_fit_kind::EDGES && metric.sqrt_determinant() > height_of_caps * metric.max_squared_length();
+      m_is_by_edges[f] =
+        kind == Normal_fit_kind::EDGES && metric.sqrt_determinant() > height_of_caps * metric.max_squared_length();
       if(!m_is_by_edges[f])
         m_planes[f] = plane(f, normals_of_mesh, difference);
     }
@@ -92,7 +98,8 @@ private:
 
   Vec3 plane(int f, const Signal& normals_of_mesh, const std::vector<double>& squared_difference) const
   {
-    constexpr double doubt = 6; // a triangle this many times further from its corners than these are wrong is believed by half
+    // a triangle this many times further from its corners than these are wrong is believed by half
+    constexpr double doubt = 6;
     const Vec3 normal = m_mesh.area_vector(f).stableNormalized();
     Vec3 has(0, 0, 0), wants(0, 0, 0);
     double wrong = 0;

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_TARGET_FIELD_SCALED_GRADIENT_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_TARGET_FIELD_SCALED_GRADIENT_H
@@ -50,7 +55,11 @@ class Scaled_gradient_of_positions
   const Energy_weights& m_weights;
 
 public:
-  Scaled_gradient_of_positions(const Indexed_triangles& mesh, const Energy_weights& weights) : m_mesh(mesh), m_weights(weights) {}
+  Scaled_gradient_of_positions(const Indexed_triangles& mesh, const Energy_weights& weights)
+    : m_mesh(mesh)
+    , m_weights(weights)
+  {
+  }
 
   static constexpr int channels() { return 3; }
   Signal by_vertex() const { return as_signal(m_mesh.points); }

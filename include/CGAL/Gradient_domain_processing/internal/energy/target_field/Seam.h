@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_TARGET_FIELD_SEAM_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_ENERGY_TARGET_FIELD_SEAM_H
@@ -20,8 +25,8 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// v = grad f inside the patches and none across their seams (1, 2.1; Yu et al. 2004). On a seam the part of the gradient along the
-// edge inside a patch is kept; a triangle between three patches has none.
+// v = grad f inside the patches and none across their seams (1, 2.1; Yu et al. 2004). On a seam the part of the
+// gradient along the edge inside a patch is kept; a triangle between three patches has none.
 class Seam
 {
   typedef Eigen::Matrix<double, 3, Eigen::Dynamic> Gradient; // a column a channel
@@ -62,7 +67,8 @@ public:
     }
     const int end = m_is_seam[f] ? rows[j] : rows[i]; // elsewhere nothing is beyond the gradient
     for(int channel = 0; channel < along.size(); ++channel)
-      along[channel] = part * (m_signal(to, channel) - m_signal(from, channel)) - (m_signal(end, channel) - m_signal(rows[i], channel));
+      along[channel] = part * (m_signal(to, channel) - m_signal(from, channel))
+                       - (m_signal(end, channel) - m_signal(rows[i], channel));
   }
 
 private:
@@ -95,7 +101,8 @@ private:
       const double by_length = (m_signal(along, channel) - m_signal(origin, channel)) / plane.length;
       result.col(channel) = by_length * plane.frame.e1;
       if(!plane.is_degenerate)
-        result.col(channel) += (m_signal(apex, channel) - m_signal(origin, channel) - plane.x * by_length) / plane.height * plane.frame.e2;
+        result.col(channel) +=
+          (m_signal(apex, channel) - m_signal(origin, channel) - plane.x * by_length) / plane.height * plane.frame.e2;
     }
     return result;
   }
@@ -116,8 +123,9 @@ private:
     return area > 0 ? Gradient(sum / area) : sum;
   }
 
-  // Marks the triangles across which the signals of two patches disagree. Along a whole seam between two patches, the gradients
-  // across it are compared with those of the triangles beside it; where the signals go on smoothly there is nothing to stitch.
+  // Marks the triangles across which the signals of two patches disagree. Along a whole seam between two patches, the
+  // gradients across it are compared with those of the triangles beside it; where the signals go on smoothly there is
+  // nothing to stitch.
   void find_seams()
   {
     struct Sums { double difference = 0, expected = 0; };

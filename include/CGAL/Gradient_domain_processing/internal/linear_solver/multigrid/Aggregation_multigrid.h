@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_MULTIGRID_AGGREGATION_MULTIGRID_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_MULTIGRID_AGGREGATION_MULTIGRID_H
@@ -28,8 +33,9 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Aggregation multigrid as a preconditioner: one symmetric V-cycle. It is built in double precision, as the mass of a large mesh is
-// lost beside its stiffness in single; it works in single, as errors of its own cost no more than a fraction of an iteration.
+// Aggregation multigrid as a preconditioner: one symmetric V-cycle. It is built in double precision, as the mass of a
+// large mesh is lost beside its stiffness in single; it works in single, as errors of its own cost no more than a
+// fraction of an iteration.
 class Aggregation_multigrid
 {
   typedef Sparse_rows<double> Matrix;
@@ -65,8 +71,8 @@ public:
   template <int K>
   using Channels = Eigen::Array<double, K, 1>;
 
-  // Builds the hierarchy. Returns whether the diagonal is positive, as it is in every positive definite matrix; and false where
-  // `go_on`, asked at every level, answered so.
+  // Builds the hierarchy. Returns whether the diagonal is positive, as it is in every positive definite matrix; and
+  // false where `go_on`, asked at every level, answered so.
   bool compute(Matrix matrix, bool parallel, const std::function<bool()>& go_on = {})
   {
     m_parallel = parallel;
@@ -113,7 +119,8 @@ public:
       for(int c = 0; c < K; ++c)
         largest[c] = (std::max)(largest[c], std::abs(right[K * i + c] * inverse_diagonal[i]));
     for(int c = 0; c < K; ++c)
-      m_scale[c] = largest[c] > 0 && std::isfinite(largest[c]) ? std::ldexp(1., (std::min)(-std::ilogb(largest[c]), 1000)) : 1.;
+      m_scale[c] =
+        largest[c] > 0 && std::isfinite(largest[c]) ? std::ldexp(1., (std::min)(-std::ilogb(largest[c]), 1000)) : 1.;
     for(Level& level : m_levels)
     {
       const std::size_t size = Lanes<K>::width * level.smoother.rows();
@@ -123,8 +130,8 @@ public:
     }
   }
 
-  // x = V b for K channels that lie together. Returns their products b . x. `before(begin, end)` is called before these rows of b are
-  // read, so that they are in the cache.
+  // x = V b for K channels that lie together. Returns their products b . x. `before(begin, end)` is called before these
+  // rows of b are read, so that they are in the cache.
   template <int K, class Before>
   Channels<K> apply(const std::vector<double>& b, std::vector<double>& x, const Before& before)
   {
@@ -135,7 +142,8 @@ public:
     const std::vector<double>& right = restricted<K>(b);
     cycle_from_double<K>(right, m_eliminations.back().solution, [](std::size_t, std::size_t) {});
     for(std::size_t k = m_eliminations.size(); k-- > 0; )
-      m_eliminations[k].elimination.template prolongate<K>(k > 0 ? m_eliminations[k - 1].right : b, m_eliminations[k].solution,
+      m_eliminations[k].elimination.template prolongate<K>(k > 0 ? m_eliminations[k - 1].right : b,
+                                                           m_eliminations[k].solution,
                                                            k > 0 ? m_eliminations[k - 1].solution : x, m_parallel);
     return sum_over_blocks(m_parallel, n, block_size, Channels<K>(Channels<K>::Zero()),
                            [&](std::size_t begin, std::size_t end) { return product<K>(b, x, begin, end); });
@@ -222,7 +230,8 @@ private:
   }
 
   template <int K>
-  static Channels<K> product(const std::vector<double>& a, const std::vector<double>& b, std::size_t begin, std::size_t end)
+  static Channels<K> product(const std::vector<double>& a, const std::vector<double>& b, std::size_t begin,
+                             std::size_t end)
   {
     Channels<K> sum = Channels<K>::Zero();
     for(std::size_t i = begin; i < end; ++i)
@@ -256,7 +265,8 @@ private:
     void operator()(std::size_t, std::size_t) const {}
   };
 
-  // Blocks of the right-hand side are made by `enter` when they are needed, and those of the solution are left to `leave`.
+  // Blocks of the right-hand side are made by `enter` when they are needed, and those of the solution are left to
+  // `leave`.
   template <int K, class Enter, class Leave>
   void cycle(std::size_t depth, const Enter& enter, const Leave& leave)
   {

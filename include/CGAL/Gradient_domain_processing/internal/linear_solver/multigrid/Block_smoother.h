@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_MULTIGRID_BLOCK_SMOOTHER_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_MULTIGRID_BLOCK_SMOOTHER_H
@@ -20,11 +25,12 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Gauss-Seidel within blocks of rows, which are smoothed side by side. What a row of a block has in common with other blocks is added
-// to its diagonal: then it converges for every positive definite matrix (Baker, Falgout, Kolev, Yang 2011).
+// Gauss-Seidel within blocks of rows, which are smoothed side by side. What a row of a block has in common with other
+// blocks is added to its diagonal: then it converges for every positive definite matrix (Baker, Falgout, Kolev, Yang
+// 2011).
 //
-// Rows are divided by that diagonal D: right-hand sides and residuals are so, too, and are about as large as the solution, which
-// single precision can hold whatever the unit of the matrix.
+// Rows are divided by that diagonal D: right-hand sides and residuals are so, too, and are about as large as the
+// solution, which single precision can hold whatever the unit of the matrix.
 class Block_smoother
 {
   std::size_t m_block_size = 0;
@@ -48,7 +54,8 @@ public:
   bool prepare(const Sparse_rows<double>& a, bool parallel)
   {
     const std::size_t n = std::size_t(a.rows());
-    m_block_size = (std::min)((std::max)(n / 64, std::size_t(1024)), std::size_t(8192)); // work for many, in their caches
+    // work for many, in their caches
+    m_block_size = (std::min)((std::max)(n / 64, std::size_t(1024)), std::size_t(8192));
     if(!read_diagonal(a, parallel))
       return false;
     m_first_outer_row.assign(1, 0);
@@ -74,10 +81,11 @@ public:
     return true;
   }
 
-  // One sweep over a block from x = 0, to which what comes later in the block does not contribute; and the residual, but for what other
-  // blocks have to do with it.
+  // One sweep over a block from x = 0, to which what comes later in the block does not contribute; and the residual,
+  // but for what other blocks have to do with it.
   template <int K>
-  void smooth_forward(std::size_t begin, std::size_t end, const std::vector<float>& b, std::vector<float>& x, std::vector<float>& r) const
+  void smooth_forward(std::size_t begin, std::size_t end, const std::vector<float>& b, std::vector<float>& x,
+                      std::vector<float>& r) const
   {
     typedef Lanes<K> L;
     for(std::size_t i = begin; i < end; ++i)
@@ -96,7 +104,8 @@ public:
     }
   }
 
-  // One sweep over a block in the opposite order, the adjoint of the other, once subtract_outer() has been called with b and x.
+  // One sweep over a block in the opposite order, the adjoint of the other, once subtract_outer() has been called with
+  // b and x.
   template <int K>
   void smooth_backward(std::size_t begin, std::size_t end, const std::vector<float>& b, std::vector<float>& x) const
   {

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_MULTIGRID_CONJUGATE_GRADIENT_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_MULTIGRID_CONJUGATE_GRADIENT_H
@@ -24,7 +29,8 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Conjugate gradients, preconditioned by multigrid. Several channels go through the matrix together, each with its own steps.
+// Conjugate gradients, preconditioned by multigrid. Several channels go through the matrix together, each with its own
+// steps.
 class Conjugate_gradient
 {
   static constexpr int max_channels_together = 4;
@@ -94,8 +100,8 @@ private:
     return rows;
   }
 
-  // Starts from zero. The error is measured by |r|_B / |b|_B, where B is the preconditioner and about the inverse of A: it is that
-  // of the solution in the norm of the energy, up to the quality of B.
+  // Starts from zero. The error is measured by |r|_B / |b|_B, where B is the preconditioner and about the inverse of A:
+  // it is that of the solution in the norm of the energy, up to the quality of B.
   template <int K>
   bool solve(const Eigen::MatrixXd& right, int first, Eigen::MatrixXd& solution, const std::function<bool()>& go_on)
   {

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_MULTIGRID_STIFF_ELIMINATION_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_MULTIGRID_STIFF_ELIMINATION_H
@@ -18,11 +23,11 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// A sliver binds a degree of freedom to its neighbors: a cap its apex to the line between the ends of its base, a needle two
-// vertices to each other. The large number in the matrix that does so has a small one hidden behind it, which neither
-// a smoother that looks at one row at a time finds, nor aggregates, which know constants only. Those that are bound are
-// eliminated, exactly, some that are no neighbors at a time: with D their diagonal, A^-1 = D^-1 + P S^-1 P^T, where P gives them
-// what their neighbors ask for, and S = P^T A P is as if the sliver had never been.
+// A sliver binds a degree of freedom to its neighbors: a cap its apex to the line between the ends of its base, a
+// needle two vertices to each other. The large number in the matrix that does so has a small one hidden behind it,
+// which neither a smoother that looks at one row at a time finds, nor aggregates, which know constants only. Those that
+// are bound are eliminated, exactly, some that are no neighbors at a time: with D their diagonal, A^-1 = D^-1 + P S^-1
+// P^T, where P gives them what their neighbors ask for, and S = P^T A P is as if the sliver had never been.
 template <class Real>
 class Stiff_elimination
 {
@@ -35,7 +40,8 @@ class Stiff_elimination
 public:
   int rows() const { return m_prolongation.rows(); }
 
-  // Returns whether there are any; then S is the remainder. In a matrix that is not positive on its diagonal there are none.
+  // Returns whether there are any; then S is the remainder. In a matrix that is not positive on its diagonal there are
+  // none.
   bool eliminate(const Matrix& matrix, bool parallel, Matrix& remainder)
   {
     const std::vector<Real> diagonal = matrix.diagonal();
@@ -82,12 +88,13 @@ public:
     m_prolongation.template multiply<K>(coarse, x, parallel);
     for(std::size_t k = 0; k < m_eliminated.size(); ++k)
       for(std::size_t c = 0; c < K; ++c)
-        x[K * std::size_t(m_eliminated[k]) + c] += m_inverse_diagonal[k] * Real(b[K * std::size_t(m_eliminated[k]) + c]);
+        x[K * std::size_t(m_eliminated[k]) + c] +=
+          m_inverse_diagonal[k] * Real(b[K * std::size_t(m_eliminated[k]) + c]);
   }
 
 private:
-  // The squared couplings of a row, relative to the diagonals, sum up to a sixth in a mesh of good triangles, to a half where
-  // all couplings are along lines, and to two at a sliver.
+  // The squared couplings of a row, relative to the diagonals, sum up to a sixth in a mesh of good triangles, to a half
+  // where all couplings are along lines, and to two at a sliver.
   void choose(const Matrix& a, const std::vector<Real>& diagonal, bool parallel)
   {
     const Real bound = Real(0.75);
@@ -122,7 +129,8 @@ private:
   }
 
   // S: every eliminated neighbor hands on what it is bound to.
-  Matrix reduced(const Matrix& a, const std::vector<char>& is_eliminated, const std::vector<int>& number, int count, bool parallel) const
+  Matrix reduced(const Matrix& a, const std::vector<char>& is_eliminated, const std::vector<int>& number, int count,
+                 bool parallel) const
   {
     std::vector<int> kept(count);
     for(std::size_t i = 0; i < number.size(); ++i)

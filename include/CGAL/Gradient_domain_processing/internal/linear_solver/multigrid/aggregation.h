@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_MULTIGRID_AGGREGATION_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_MULTIGRID_AGGREGATION_H
@@ -17,8 +22,8 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Smoothed aggregation (after Vanek, Mandel, Brezina 1996): coarser unknowns are groups of strongly connected finer ones; where the mass
-// dominates there are none.
+// Smoothed aggregation (after Vanek, Mandel, Brezina 1996): coarser unknowns are groups of strongly connected finer
+// ones; where the mass dominates there are none.
 
 // Strong couplings pull two unknowns together; those of obtuse angles and of the mass push, and are not among them.
 inline bool is_strong(double coupling, double d_i, double d_j, double threshold)
@@ -26,8 +31,8 @@ inline bool is_strong(double coupling, double d_i, double d_j, double threshold)
   return coupling < 0 && coupling * coupling > threshold * threshold * d_i * d_j;
 }
 
-// An unknown whose strong neighbors are all free makes an aggregate with them; the others join the neighbor they are coupled
-// to most strongly. One without strong neighbors is in none.
+// An unknown whose strong neighbors are all free makes an aggregate with them; the others join the neighbor they are
+// coupled to most strongly. One without strong neighbors is in none.
 inline int aggregate_unknowns(const Sparse_rows<double>& a, const std::vector<double>& diagonal, double threshold,
                               std::vector<int>& aggregate)
 {
@@ -72,7 +77,8 @@ inline int aggregate_unknowns(const Sparse_rows<double>& a, const std::vector<do
 }
 
 // P = (I - omega D^-1 A') T: T has a column for every aggregate, A' is the matrix with its weak couplings moved to the
-// diagonal D. A' is diagonally dominant, which bounds D^-1 A' by 2 and gives the best omega, 4/3 of the bound's inverse.
+// diagonal D. A' is diagonally dominant, which bounds D^-1 A' by 2 and gives the best omega, 4/3 of the bound's
+// inverse.
 inline Sparse_rows<double> prolongation(const Sparse_rows<double>& a, double threshold, bool parallel)
 {
   const double omega = 2. / 3;
@@ -100,8 +106,8 @@ inline Sparse_rows<double> prolongation(const Sparse_rows<double>& a, double thr
 }
 
 // P^T A P, a row at a time.
-inline Sparse_rows<double> galerkin_product(const Sparse_rows<double>& a, const Sparse_rows<double>& p, const Sparse_rows<double>& r,
-                                           bool parallel)
+inline Sparse_rows<double> galerkin_product(const Sparse_rows<double>& a, const Sparse_rows<double>& p,
+                                            const Sparse_rows<double>& r, bool parallel)
 {
   return build_rows<double>(parallel, r.rows(), r.rows(), [&](std::size_t row_index, auto& row) {
     for(int e = r.offset[row_index]; e < r.offset[row_index + 1]; ++e)

@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_ORDERING_DEGREES_OF_FREEDOM_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_ORDERING_DEGREES_OF_FREEDOM_H
@@ -48,8 +53,8 @@ inline Degrees_of_freedom numbered_in_memory_order(const std::vector<char>& is_s
   return numbered(std::move(order), is_solved_for.size());
 }
 
-// body(v, i) for every vertex v and its degree of freedom i, in the order of the vertices: the arrays of the mesh are local in
-// memory in that order, in the order of elimination less so.
+// body(v, i) for every vertex v and its degree of freedom i, in the order of the vertices: the arrays of the mesh are
+// local in memory in that order, in the order of elimination less so.
 template <class Body>
 void for_each_degree_of_freedom(bool parallel, const Degrees_of_freedom& degrees_of_freedom, const Body& body)
 {

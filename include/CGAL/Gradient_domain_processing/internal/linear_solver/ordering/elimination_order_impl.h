@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_ORDERING_ELIMINATION_ORDER_IMPL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_ORDERING_ELIMINATION_ORDER_IMPL_H
@@ -45,8 +50,9 @@ CGAL_GDP_INLINE std::vector<int> postorder(const std::vector<int>& parent)
   return order;
 }
 
-CGAL_GDP_INLINE Degrees_of_freedom elimination_order(const std::vector<Vec3>& points, const Lists& graph, const std::vector<char>& is_solved_for,
-                                                     bool parallel, const std::function<bool()>& go_on)
+CGAL_GDP_INLINE Degrees_of_freedom elimination_order(const std::vector<Vec3>& points, const Lists& graph,
+                                                     const std::vector<char>& is_solved_for, bool parallel,
+                                                     const std::function<bool()>& go_on)
 {
   std::vector<int> order = nested_dissection(points, graph.offsets, graph.items, parallel, go_on);
   order.erase(std::remove_if(order.begin(), order.end(), [&](int v) { return !is_solved_for[v]; }), order.end());

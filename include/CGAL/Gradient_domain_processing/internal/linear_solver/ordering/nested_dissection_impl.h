@@ -1,8 +1,13 @@
 // Copyright (c) 2026  The Gradient_domain_processing authors.
+// All rights reserved.
 //
-// This file is part of Gradient_domain_processing, a package for CGAL (www.cgal.org).
+// This file is part of CGAL (www.cgal.org).
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Gradient_domain_processing authors
 
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_ORDERING_NESTED_DISSECTION_IMPL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_ORDERING_NESTED_DISSECTION_IMPL_H
@@ -41,9 +46,9 @@ public:
       m_slab(points.size()), m_slot(points.size(), outside)
   {}
 
-  // In parallel, both halves of a large domain are ordered at the same time. They share no edge, and all that is written
-  // belongs to a vertex: the result does not depend on it. `go_on` is asked by the calling thread; where it answers
-  // false, the order is empty.
+  // In parallel, both halves of a large domain are ordered at the same time. They share no edge, and all that is
+  // written belongs to a vertex: the result does not depend on it. `go_on` is asked by the calling thread; where it
+  // answers false, the order is empty.
   std::vector<int> compute(bool parallel, const std::function<bool()>& go_on)
   {
     m_parallel = parallel;
@@ -100,7 +105,8 @@ private:
     choose_sides(domain, workspace);
     if(m_is_cancelled) return;
     const std::pair<Domain, Domain> halves = partition(domain, workspace);
-    if((std::max)(halves.first.size(), halves.second.size()) == domain.size()) return;  // nearly complete: no order is better
+    // nearly complete: no order is better
+    if((std::max)(halves.first.size(), halves.second.size()) == domain.size()) return;
 
     constexpr int worth_a_task = 5000;
     if(!m_parallel || domain.size() < worth_a_task) {
@@ -419,9 +425,9 @@ private:
   std::atomic<bool> m_is_cancelled{ false };
 };
 
-CGAL_GDP_INLINE std::vector<int> nested_dissection(const std::vector<Eigen::Vector3d>& points, const std::vector<int>& offsets,
-                                                   const std::vector<int>& neighbors, bool parallel,
-                                                   const std::function<bool()>& go_on)
+CGAL_GDP_INLINE std::vector<int> nested_dissection(const std::vector<Eigen::Vector3d>& points,
+                                                   const std::vector<int>& offsets, const std::vector<int>& neighbors,
+                                                   bool parallel, const std::function<bool()>& go_on)
 {
   return Nested_dissection(points, offsets, neighbors).compute(parallel, go_on);
 }
