@@ -1257,6 +1257,14 @@ void test_said()
   fs::remove(folder / "single.stl");
   fs::remove(folder / "out.stl");
 
+  // jets on needles
+  write(folder / "needles.off",
+        "OFF\n6 4 0\n0 0 0\n1 0 0\n0 50 1\n1 50 1\n0 100 0\n1 100 0\n3 0 1 3\n3 0 3 2\n3 2 3 5\n3 2 5 4\n");
+  check_succeeds("needles.off out.off --metric edge-aware", {"4 faces are needles"});
+  check_succeeds("needles.off out.off --metric edge-aware --curvature normals");
+  check_succeeds("needles.off out.off");
+  fs::remove(folder / "needles.off");
+
   // parts of different size, and a face alone
   write(folder / "parts.off",
         "OFF\n7 3 0\n0 0 0\n100 0 0\n0 100 0\n100 100 1\n0 0 50\n1 0 50\n0 1 50\n3 0 1 2\n3 1 3 2\n3 4 5 6\n");

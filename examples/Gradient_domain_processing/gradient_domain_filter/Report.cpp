@@ -193,6 +193,12 @@ std::vector<std::string> Report::remarks(const Options& o) const
   for(const std::string& remark :
       survey->remarks(o.weld_tolerance.has_value(), o.weld_tolerance.value_or(0) > 0, has_one_weight))
     remarks.push_back(remark);
+  if(o.has_metric() && o.curvature == CGAL::Gradient_domain_processing::Curvature_estimator::JETS
+     && 20 * survey->needles > survey->faces)
+    remarks.push_back(
+      std::to_string(survey->needles)
+      + " faces are needles, on which the curvature of "
+        "fitted jets may be far off: --curvature normals --presmoothing-weight 0 keeps closer to the surface");
   return remarks;
 }
 

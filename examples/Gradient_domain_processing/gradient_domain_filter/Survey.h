@@ -20,6 +20,7 @@ struct Survey
   std::size_t flipped_edges = 0;     // with two faces of which one is turned over
   std::size_t repeated_faces = 0;    // with the same vertices as one before
   std::size_t flat_faces = 0;        // without area
+  std::size_t needles = 0;           // more than twenty times as long as wide
   std::size_t components = 0, lone_faces = 0; // connected at vertices
   std::size_t seam_vertices = 0;     // at the border, at the same place as another one
   double area = 0, smallest_extent = 0, largest_extent = 0; // of components

@@ -135,13 +135,13 @@ void print_help(const po::options_description& described)
 {
   std::cout << "gradient_domain_filter INPUT OUTPUT [options]\n\n"
                "Smooths, sharpens and otherwise filters a signal on a mesh by prescribing its gradients: finds the g\n"
-               "that minimizes alpha |f - g|^2 + beta |lambda grad f - grad g|^2. Reads and writes OFF, OBJ, PLY and\n"
-               "STL, also packed (.gz), by extension; - is standard input or output. Any polygons, connected in any\n"
-               "way. What is not filtered comes out as it came in; what another format cannot hold is said. OUTPUT may\n"
-               "be INPUT.\n"
+               "that minimizes alpha |f - g|^2 + beta |lambda grad f - grad g|^2. Reads and writes OFF, OBJ, PLY\n"
+               "and STL, also packed (.gz), by extension; - is standard input or output. Any polygons, connected\n"
+               "in any way. What is not filtered comes out as it came in; what another format cannot hold is said.\n"
+               "OUTPUT may be INPUT.\n"
             << described
-            << "\nExit code: 0, or 1 if the work failed, or 2 if the command line makes no sense. On failure OUTPUT is\n"
-               "as it was.\n\n"
+            << "\nExit code: 0, or 1 if the work failed, or 2 if the command line makes no sense. On failure\n"
+               "OUTPUT is as it was.\n\n"
                "  gradient_domain_filter scan.ply smooth.ply --gradient-weight 1e-4\n"
                "  gradient_domain_filter scan.ply sharp.ply --gradient-scale 2\n"
                "  gradient_domain_filter part.obj clean.obj --metric anisotropic --gradient-weight 1e-3\n";

@@ -127,6 +127,17 @@ private:
     m_parent[std::size_t((std::max)(v, w))] = (std::min)(v, w);
   }
 
+  double longest_squared_edge(const Polygons::value_type& polygon) const
+  {
+    double longest = 0;
+    for(std::ptrdiff_t i = 0, n = std::ptrdiff_t(polygon.size()); i < n; ++i)
+    {
+      const Point &p = m_points[std::size_t(polygon[i])], &q = m_points[std::size_t(polygon[i + 1 < n ? i + 1 : 0])];
+      longest = (std::max)(longest, CGAL::squared_distance(p, q));
+    }
+    return longest;
+  }
+
   // Copies of a border vertex join what they belong to.
   void count_seams()
   {
@@ -182,6 +193,7 @@ private:
         }
       const double a = area(m_polygons[f]);
       m_survey.flat_faces += a == 0;
+      m_survey.needles += a > 0 && 40 * a < longest_squared_edge(m_polygons[f]);
       m_survey.area += a;
     }
     m_survey.unused_vertices = std::size_t(std::count(is_used.begin(), is_used.end(), 0));
