@@ -188,7 +188,7 @@ void keeps_detail()
     std::cout << "clean " << moved << " degrees, noisy " << mean_normal_angle(clean, noisy) << ", denoised "
               << mean_normal_angle(clean, mesh) << std::endl;
     GDP_CHECK(moved < 0.5);
-    GDP_CHECK(mean_normal_angle(clean, mesh) < 0.8 * mean_normal_angle(clean, noisy));
+    GDP_CHECK(mean_normal_angle(clean, mesh) < 0.55 * mean_normal_angle(clean, noisy));
   }
 }
 

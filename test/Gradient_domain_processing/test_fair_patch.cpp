@@ -8,7 +8,10 @@
 
 #include "test_arrays.h"
 
+#include <CGAL/Gradient_domain_processing/internal/higher_order/constrained_minimum.h>
+#include <CGAL/Gradient_domain_processing/internal/higher_order/edge_neighbors.h>
 #include <CGAL/Gradient_domain_processing/internal/higher_order/fair_patch.h>
+#include <CGAL/Gradient_domain_processing/internal/higher_order/hessian_energy.h>
 
 #include <algorithm>
 #include <cstring>

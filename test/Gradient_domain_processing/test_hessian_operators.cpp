@@ -8,6 +8,9 @@
 
 #include "test_arrays.h"
 
+#include <CGAL/Gradient_domain_processing/internal/higher_order/bilaplacian.h>
+#include <CGAL/Gradient_domain_processing/internal/higher_order/edge_neighbors.h>
+#include <CGAL/Gradient_domain_processing/internal/higher_order/shared_lengths.h>
 #include <CGAL/Gradient_domain_processing/internal/higher_order/hessian_energy.h>
 
 #include <functional>

@@ -9,6 +9,7 @@
 #include "test_arrays.h"
 
 #include <iostream>
+#include <CGAL/Gradient_domain_processing/internal/higher_order/bilaplacian.h>
 #include <CGAL/Gradient_domain_processing/internal/higher_order/constrained_minimum.h>
 #include <CGAL/Gradient_domain_processing/internal/higher_order/hessian_energy.h>
 #include <CGAL/Gradient_domain_processing/internal/higher_order/modified_dirichlet.h>

@@ -296,7 +296,7 @@ void test_matrices()
   const Eigen::Index n = Eigen::Index(sheets.points.size());
   GDP_CHECK(mass.rows() == n && gradient.rows() == 2 * Eigen::Index(sheets.triangles.size()) && gradient.cols() == n);
   GDP_CHECK_NEAR(difference(divergence * gradient, stiffness), 0,
-                 1e-10 * Eigen::MatrixXd(stiffness).cwiseAbs().maxCoeff());
+                 1e-9 * Eigen::MatrixXd(stiffness).cwiseAbs().maxCoeff());
   GDP_CHECK_NEAR((gradient * Eigen::VectorXd::Ones(n)).cwiseAbs().maxCoeff(), 0, 0);
 
   const Polygons quad = {{0, 1, 2, 3}};

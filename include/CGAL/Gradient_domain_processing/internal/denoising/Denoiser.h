@@ -125,7 +125,7 @@ private:
   {
     const std::vector<Vec3> normals = vertex_normals(m_mesh, faces.areas, m_normals, m_parallel);
     removed.measure(m_input, points, normals);
-    if(pass + 1 >= denoising::first_detail_pass)
+    if(pass + 1 >= denoising::first_detail_pass || removed.correlation() > most_correlation())
     {
       removed.give_back_detail([&](int v) { return may_get_detail_back(v); }, normals, points);
       removed.measure(m_input, points, normals);

@@ -104,11 +104,12 @@ struct Normal_variation
   bool is_of_folded_surface() const { return root_mean_square > 0.7; }
 
   // Flat pieces between creases have a small median, and go on to become flatter; where nothing stands out, there is no
-  // detail to lose.
+  // detail to lose, but facets may come of a further pass.
   bool is_of_smooth_surface(const Normal_variation& before) const
   {
-    return median > 0.22 * root_mean_square && median < 0.6 * root_mean_square
-        && is_settled(before) && root_mean_square > 0.9 * before.root_mean_square;
+    const bool has_less_detail = median < 0.6 * root_mean_square, gets_facets = root_mean_square > before.root_mean_square;
+    return median > 0.22 * root_mean_square && (has_less_detail || gets_facets) && is_settled(before)
+        && root_mean_square > 0.9 * before.root_mean_square;
   }
 };
 
