@@ -351,7 +351,8 @@ void check_errors()
   for(const Coordinates& p : grid(1, 1).points)
     around.push_back(quad.add_vertex(K::Point_3(p[0], p[1], p[2])));
   quad.add_face(around[0], around[1], around[3], around[2]);
-  refused(quad, GDP::ERROR_NON_TRIANGULAR_MESH, GDP::parameters::default_values(), 2); // gradients are those of triangles
+  // gradients are those of triangles
+  refused(quad, GDP::ERROR_NON_TRIANGULAR_MESH, GDP::parameters::default_values(), 2);
 }
 
 } // namespace

@@ -34,18 +34,14 @@ namespace Gradient_domain_processing {
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * prepares the gradient-domain energy of a mesh once and minimizes it for as many signals and target gradients as
- * wanted:
+ * prepares the gradient-domain energy of a mesh once and minimizes it for many signals and target gradients:
  *
- * \f[ E(g) = \alpha \|f - g\|^2 + \beta \|v - \nabla g\|^2, \qquad (\alpha M + \beta S)\, g = \alpha M f + \beta D v
- * \f]
+ * \f[ E(g) = \alpha \|f - g\|^2 + \beta \|v - \nabla g\|^2, \quad (\alpha M + \beta S) g = \alpha M f + \beta D v \f]
  *
  * (paper, equations 1 and 2, and section 2.2). Every function of this package is made of it.
  *
- * Mesh, weights and metric are copied on construction; later changes of the mesh are not seen. What is computed is
- * kept:
- * - the order of the degrees of freedom, the sparsity pattern and the symbolic factorization: once for the constrained
- *   vertices;
+ * Mesh, weights and metric are copied on construction; later changes of the mesh are not seen. Kept are:
+ * - order of the degrees of freedom, sparsity pattern and symbolic factorization: once for the constrained vertices;
  * - the numeric factorization: once for every metric, \f$ \alpha \f$ and \f$ \beta \f$, when it is first needed;
  * - a new \f$ \lambda \f$, signal or target costs one right-hand side and one back-substitution for all channels.
  *
@@ -60,23 +56,18 @@ namespace Gradient_domain_processing {
  * \tparam SparseLinearSolver a model of `SparseLinearAlgebraWithFactorTraits_d`. For an `Eigen_solver_traits` the
  *         symbolic analysis is kept and all channels are solved together.
  *
- * \sa `process_signal()`
- * \sa `make_gradient_domain_solver()`
+ * \sa `process_signal()`, `make_gradient_domain_solver()`
  */
 template <class TriangleMesh, class SparseLinearSolver = Default_sparse_linear_solver>
 class Gradient_domain_solver : internal::Surface_filter<TriangleMesh, SparseLinearSolver>
 {
   typedef internal::Surface_filter<TriangleMesh, SparseLinearSolver> Base;
-  using Base::m_elements;
-  using Base::m_error;
-  using Base::m_filter;
-  using Base::m_has_face_outside;
+  using Base::m_elements, Base::m_error, Base::m_filter, Base::m_has_face_outside;
 
 public:
   typedef typename internal::Surface_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
   typedef typename internal::Surface_traits<TriangleMesh>::face_descriptor face_descriptor;
 
-public:
   /// \name Construction
   /// @{
 
@@ -233,9 +224,8 @@ public:
   }
 
   /*!
-   * prepares a region of the mesh: a range of faces. Vertices that have a face outside of it keep their values, to the
-   * bit. Time and memory are proportional to the region (with `area_normalization`, the area of the mesh is summed up
-   * as well). An empty region is no error.
+   * prepares a region of the mesh. Vertices with a face outside of it keep their values, to the bit. Time and memory are
+   * proportional to the region (`area_normalization` sums up the area of all). An empty region is no error.
    *
    * \param region a range of `face_descriptor`; `error_invalid_region` where one is none of the mesh
    * \param tm the mesh
@@ -285,9 +275,9 @@ public:
   /// sets \f$ \beta \f$, on all faces, in the units that were chosen on construction.
   Error_code set_gradient_weight(double beta)
   {
-    const double unit = m_filter.squared_length_unit;
-    return this->set_weight(beta,
-                            [unit](internal::Energy_weights& weights, double w) { weights.set_gradient(w * unit); });
+    return this->set_weight(beta, [unit = m_filter.squared_length_unit](internal::Energy_weights& weights, double w) {
+      weights.set_gradient(w * unit);
+    });
   }
 
   /// sets \f$ \lambda \f$, on all faces. Costs nothing.
@@ -299,8 +289,7 @@ public:
     return ok;
   }
 
-  /// sets all weights as the named parameters say, those of vertices and faces included; a weight that is not among
-  /// them gets its default.
+  /// sets all weights as the named parameters say, also by vertex and face; one that is not among them gets its default.
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code set_weights_from_parameters(const CGAL_NP_CLASS& np = parameters::default_values())
   {
@@ -326,8 +315,7 @@ public:
 
   /// sets the metric of every face.
   /// \tparam FaceMetricMap a model of `ReadablePropertyMap` with key `face_descriptor` and value `Triangle_metric`
-  /// \return `error_invalid_metric` where a tensor is not positive definite, `error_non_triangular_mesh` where a face
-  ///         is not a triangle
+  /// \return `error_invalid_metric` where a tensor is not positive definite, `error_non_triangular_mesh` for polygons
   template <class FaceMetricMap>
   Error_code set_metric(FaceMetricMap map)
   {
@@ -388,10 +376,7 @@ public:
 
   /// \cond SKIP_IN_MANUAL
   // For the functions of this package, which work on the arrays.
-  using Base::arrays;
-  using Base::checked;
-  using Base::elements;
-  using Base::progress;
+  using Base::arrays, Base::checked, Base::elements, Base::progress;
   /// \endcond
 };
 

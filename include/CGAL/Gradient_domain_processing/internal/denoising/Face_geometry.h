@@ -107,7 +107,8 @@ struct Normal_variation
   // detail to lose, but facets may come of a further pass.
   bool is_of_smooth_surface(const Normal_variation& before) const
   {
-    const bool has_less_detail = median < 0.6 * root_mean_square, gets_facets = root_mean_square > before.root_mean_square;
+    const bool has_less_detail = median < 0.6 * root_mean_square;
+    const bool gets_facets = root_mean_square > before.root_mean_square;
     return median > 0.22 * root_mean_square && (has_less_detail || gets_facets) && is_settled(before)
         && root_mean_square > 0.9 * before.root_mean_square;
   }
