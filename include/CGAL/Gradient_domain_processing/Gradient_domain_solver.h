@@ -224,7 +224,7 @@ public:
   }
 
   /*!
-   * prepares a region of the mesh. Vertices with a face outside of it keep their values, to the bit. Time and memory are
+   * prepares a region of the mesh. Vertices with a face outside keep their values, to the bit. Time and memory are
    * proportional to the region (`area_normalization` sums up the area of all). An empty region is no error.
    *
    * \param region a range of `face_descriptor`; `error_invalid_region` where one is none of the mesh
@@ -289,7 +289,7 @@ public:
     return ok;
   }
 
-  /// sets all weights as the named parameters say, also by vertex and face; one that is not among them gets its default.
+  /// sets all weights as the named parameters say, also by vertex and face; one that is not named gets its default.
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code set_weights_from_parameters(const CGAL_NP_CLASS& np = parameters::default_values())
   {
@@ -322,8 +322,7 @@ public:
     return m_error != ok ? m_error : checked(internal::read_metrics(map, m_elements, m_filter));
   }
 
-  /// sets the metric that the parameters of curvature in `np` describe, estimating the curvature where none is given.
-  /// Costs, where `presmoothing_weight` is not 0, a numeric factorization of its own.
+  /// sets the metric that the parameters of curvature describe; costs, with presmoothing, a factorization of its own.
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code set_metric_from_parameters(const CGAL_NP_CLASS& np = parameters::default_values())
   {
