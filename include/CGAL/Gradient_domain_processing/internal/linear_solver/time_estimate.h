@@ -33,9 +33,9 @@ struct Solver_task
   unsigned cores = 1;
 };
 
-// The times are seconds of one core of 2024, of which only ratios matter. Constants were set by spheres with noise, of 3
-// to 949 thousand vertices, under the metric of the embedding, on one thread: the modelled ratio of both times is within
-// 26 % of the measured one. The factors of a metric and of cores are guesses from a few runs.
+// The times are seconds of one core of 2024, of which only ratios matter. Constants were set by spheres with noise, of
+// 3 to 949 thousand vertices, under the metric of the embedding, on one thread: the modelled ratio of both times is
+// within 26 % of the measured one. The factors of a metric and of cores are guesses from a few runs.
 inline double on_cores(double seconds, double share_of_one_core, unsigned cores)
 {
   return seconds * (share_of_one_core + (1 - share_of_one_core) / double(cores));
