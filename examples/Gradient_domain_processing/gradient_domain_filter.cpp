@@ -187,7 +187,7 @@ void run(const Options& options)
     say_all(options, report, clock);
   clock.clear();
   if(options.is_verbose)
-    (options.output == "-" || options.report == "-" ? std::cerr : std::cout)
+    (options.output == "-" || options.report == "-" || options.eigenvalues == "-" ? std::cerr : std::cout)
       << report.summary(options, clock) << std::flush;
 }
 

@@ -624,6 +624,9 @@ void test_beyond_the_paper(const Mesh& mesh)
   GDP_CHECK(contents(folder / "out.ply").find("property double harmonic_4\n") != std::string::npos);
   GDP_CHECK(largest_difference(read_ply("out.ply"), mesh) == 0);
   check_fails("mesh.off out.off --operation spectrum", 2, "PLY");
+  check_fails("mesh.off out2.ply --operation spectrum --eigenvalues mesh.off", 2, "input");
+  check_fails("mesh.off out2.ply --operation spectrum --eigenvalues ./out2.ply", 2, "output");
+  check_fails("mesh.off out2.ply --operation spectrum --eigenvalues r.json --report r.json", 2, "report");
   check_fails("mesh.off out2.ply --operation spectrum --count 100000", 1, "mesh.off");
 
   check_succeeds("mesh.off out.ply --gradient-weight 0 --hessian-weight 1e-6");

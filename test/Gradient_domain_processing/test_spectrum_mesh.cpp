@@ -97,6 +97,11 @@ void test_constrained_bands()
     else
       inside = (std::max)(inside, std::abs(out[v] - rough[v]));
   GDP_CHECK(inside > 0.1);
+  // a border that is a curve of its own elsewhere counts as fixed, beside a constraint too
+  const Signal_map along = signal_of(mesh, "v:along", [](const Point&) { return 0; });
+  const auto along_border = GDP::parameters::border_condition(GDP::Border_condition::ALONG_BORDER);
+  GDP_CHECK(GDP::filter_spectrum(mesh, rough, along, filter, along_border) == GDP::ok);
+  GDP_CHECK_NEAR(distance(mesh, along, [&](Vertex v) { return out[v]; }), 0, 0);
 
   const std::vector<Face> region(mesh.faces().begin(), mesh.faces().begin() + 200);
   const Signal_map in_region = signal_of(mesh, "v:in_region", [](const Point&) { return -7; });
@@ -204,6 +209,10 @@ void test_refusals()
   const auto not_finite = [&](double) { return nan; };
   GDP_CHECK(GDP::filter_spectrum(mesh, out, out, not_finite) == GDP::error_invalid_parameter);
   const auto identity = [](double) { return 1.; };
+  const auto half = [](double) { return 0.5; };
+  const Signal_map halved = signal_of(mesh, "v:halved", [](const Point&) { return 0; });
+  GDP_CHECK(GDP::filter_spectrum(mesh, out, halved, half, GDP::parameters::number_of_harmonics(0)) == GDP::ok);
+  GDP_CHECK_NEAR(distance(mesh, halved, [&](Vertex v) { return mesh.point(v).x() / 2; }), 0, 1e-15);
   GDP_CHECK(GDP::filter_spectrum(mesh, out, out, identity, GDP::parameters::number_of_harmonics(-1))
             == GDP::error_invalid_parameter);
   GDP_CHECK_NEAR(distance(mesh, out, [&](Vertex v) { return mesh.point(v).x(); }), 0, 0);

@@ -6,7 +6,6 @@
 
 #include "Report.h"
 
-#include <CGAL/Gradient_domain_processing/internal/denoising/constants.h>
 
 #include <algorithm>
 #include <cmath>
@@ -110,8 +109,8 @@ std::vector<std::pair<std::string, std::string> > used_weights(const Options& o)
     return used;
   if(o.operation == Operation::DENOISE)
   {
-    add("value_weight",
-        o.denoising_value_weight.value_or(CGAL::Gradient_domain_processing::internal::denoising::value_weight));
+    if(o.denoising_value_weight)
+      add("value_weight", *o.denoising_value_weight);
     return used;
   }
   for(std::size_t i = 0; i < o.wavelengths.size(); ++i)

@@ -97,7 +97,7 @@ void check_beyond(const po::variables_map& given, const Options& o)
             "missing-values", "solver"},
            "--operation " + o.operation_name);
   if(is_fair || is_spectrum)
-    forbid(given, {"region", "metric", "curvature-weight"}, "--operation " + o.operation_name);
+    forbid(given, {"region", "metric", "curvature-weight", "area-normalization"}, "--operation " + o.operation_name);
   if(is_spectrum)
     forbid(given, {"border", "non-manifold", "weld-tolerance"}, "--operation spectrum");
   if(o.is_band())
@@ -126,7 +126,7 @@ void check_operation(const po::variables_map& given, const Options& o)
     forbid(given,
            {"value-weight", "gradient-weight", "gradient-scale", "metric", "curvature-weight", "iterations",
             "constrain", "region", "value-weight-property", "gradient-weight-property", "gradient-scale-property",
-            "border", "non-manifold", "non-shrinking"},
+            "border", "non-manifold", "non-shrinking", "hessian-weight"},
            "--signal curvature, which filters nothing");
     if(o.curvature == GDP::Curvature_estimator::NORMALS)
       throw Usage_error("--curvature normals contradicts --signal curvature, which knows jets only");
@@ -197,6 +197,12 @@ void check_files(const Options& o)
     throw Usage_error("--report is also the output");
   if(!o.report.empty() && o.report != "-" && o.input != "-" && is_same_file(o.report, o.input))
     throw Usage_error("--report is also the input");
+  for(const std::string* other : {&o.input, &o.output, &o.report})
+    if(!o.eigenvalues.empty() && !other->empty()
+       && (o.eigenvalues == "-" ? *other == "-" && other != &o.input
+                                : *other != "-" && is_same_file(o.eigenvalues, *other)))
+      throw Usage_error(std::string("--eigenvalues is also the ")
+                        + (other == &o.input ? "input" : other == &o.output ? "output" : "report"));
 #ifndef GRADIENT_DOMAIN_FILTER_HAS_ZLIB
   if(is_compressed_name(o.output))
     throw Usage_error(o.output + ": this program was built without Boost.Iostreams, which packs files");

@@ -33,13 +33,16 @@ Error_code denoise_mesh(const Options& options, Mesh_file& file, Stage_clock& cl
   const auto np = common_parameters(options, input, clock, GDP::Default_sparse_linear_solver())
     .denoising_summary(std::ref(summary))
     .noise_level(options.noise_level)
-    .noise_scale(options.noise_scale)
-    .value_weight(options.denoising_value_weight.value_or(GDP::internal::denoising::value_weight));
+    .noise_scale(options.noise_scale);
   const auto run = [&](const auto& pack) {
     return in_region(input, facts,
                      [&](const auto&... faces) { return GDP::denoise(faces..., file.points, file.polygons, pack); });
   };
-  const Error_code code = options.passes ? run(np.number_of_iterations(*options.passes)) : run(np);
+  const auto run_passes = [&](const auto& pack) {
+    return options.passes ? run(pack.number_of_iterations(*options.passes)) : run(pack);
+  };
+  const Error_code code = options.denoising_value_weight ? run_passes(np.value_weight(*options.denoising_value_weight))
+                                                         : run_passes(np);
   facts.solver = "cg";
   facts.found = {{"noise_level", summary.noise_level},
                  {"noise_share", summary.noise_share},
@@ -70,6 +73,7 @@ Error_code filter_face_properties(const Options& options, Mesh_file& file, Stage
   refuse(options.has_missing_values, "--missing-values");
   refuse(options.has_metric(), "--metric");
   refuse(options.non_shrinking > 1, "--non-shrinking");
+  refuse(options.hessian_weight > 0, "--hessian-weight");
   refuse(options.border != GDP::Border_condition::FREE, "--border");
   refuse(options.non_manifold != GDP::Border_condition::FREE, "--non-manifold");
   Filter_input input(options, file);

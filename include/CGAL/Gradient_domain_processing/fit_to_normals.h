@@ -57,7 +57,8 @@ Error_code fit_to_normals(Solver solver, PointMap point_map, VertexNormalMap nor
       return code;
     const std::vector<Vec3> before = mesh.points;
     filter.move_points(change);
-    if(kind == Normal_fit_kind::FACES && filter.encloses_volume())
+    if(kind == Normal_fit_kind::FACES && filter.encloses_volume()
+       && read_position_options(np, false).moves_along_all_axes())
       if(const int count = offset_to_volumes(mesh, before, filter.system.parallel, filter.system.mesh.points))
         solver.progress().notice(std::to_string(count) + " components enclose another volume than before");
     return end_of_pass();

@@ -76,9 +76,9 @@ public:
 
   void set_embedding_metric() { set_metrics({}); }
 
-  void set_weights(const Energy_weights& weights)
+  void set_weights(Energy_weights weights)
   {
-    m_coefficients.weights = weights;
+    m_coefficients.weights = std::move(weights);
     m_is_factorized = false;
   }
 

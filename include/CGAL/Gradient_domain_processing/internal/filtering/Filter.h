@@ -69,11 +69,6 @@ public:
 
   void constrain(std::vector<char> constrained);
 
-  bool has_constraints() const
-  {
-    return std::find(is_constrained.begin(), is_constrained.end(), 1) != is_constrained.end();
-  }
-
   bool is_moved(int v) const { return mesh().corners.size(v) > 0 && !is_held[v]; }
 
   // gamma |hess g|^2, in units of the arrays; 0 for none

@@ -87,7 +87,7 @@ CGAL_GDP_INLINE bool Filter::encloses_volume() const
   for(int v = 0; v < mesh().number_of_vertices(); ++v)
     if(mesh().is_on_border[v])
       return false;
-  return !has_constraints();
+  return std::find(is_held.begin(), is_held.end(), 1) == is_held.end();
 }
 
 CGAL_GDP_INLINE Error_code Filter::set_curvature_metric(const std::vector<Principal_curvatures>& curvatures,

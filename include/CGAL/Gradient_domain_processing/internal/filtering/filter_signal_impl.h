@@ -15,6 +15,7 @@
 #include <CGAL/Gradient_domain_processing/internal/filtering/filter_signal.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/target_field/Scaled_gradient.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -55,7 +56,7 @@ struct Restored_system
   ~Restored_system()
   {
     system.set_constrained(std::move(is_constrained));
-    system.set_weights(weights);
+    system.set_weights(std::move(weights));
   }
 };
 
@@ -64,14 +65,24 @@ Error_code fill_missing_values(const std::vector<char>& is_missing, Filter& filt
 {
   const Restored_system scope{filter.system, filter.system.is_constrained, filter.system.weights()};
   const Indexed_triangles& mesh = filter.mesh();
+  // where one side of a seam has a value, the others take it
+  std::vector<int> number_of_values(mesh.points.size(), 0);
+  Signal filled = signal, sums = Signal::Zero(mesh.number_of_vertices(), signal.cols());
+  for(int row = 0; row < mesh.number_of_rows(); ++row)
+    if(!is_missing[std::size_t(row)])
+    {
+      sums.row(mesh.vertex_of(row)) += signal.row(row);
+      ++number_of_values[std::size_t(mesh.vertex_of(row))];
+    }
   std::vector<char> has_value(mesh.points.size(), 1);
-  Signal filled = signal;
   for(int row = 0; row < mesh.number_of_rows(); ++row)
     if(is_missing[std::size_t(row)])
     {
-      has_value[std::size_t(mesh.vertex_of(row))] = 0;
-      filled.row(row).setZero();
+      const int v = mesh.vertex_of(row), n = number_of_values[std::size_t(v)];
+      has_value[std::size_t(v)] = n > 0;
+      filled.row(row) = sums.row(v) / (std::max)(1, n);
     }
+  interpolate_virtual_rows(mesh, filled);
   Energy_weights weights;
   weights.value = 0;
   weights.gradient = 1;
@@ -104,7 +115,7 @@ Error_code fill_and_filter(int number_of_iterations, Filter& filter, Signal& sig
   {
     Linear_system& system;
     Energy_weights own;
-    ~Restored_weights() { system.set_weights(own); }
+    ~Restored_weights() { system.set_weights(std::move(own)); }
   };
   const Restored_weights scope{filter.system, filter.system.weights()};
   const std::vector<char> is_missing = missing_rows(signal);

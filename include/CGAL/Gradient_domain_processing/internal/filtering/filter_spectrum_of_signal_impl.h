@@ -42,20 +42,25 @@ CGAL_GDP_INLINE Error_code subtract_harmonic_extension(Filter& filter, Signal& s
       constrained[v] = 1;
   struct Scope
   {
-    Linear_system& system;
+    Filter& filter;
+    Border_condition border, line; // what is a curve of its own counts as fixed
     std::vector<char> is_constrained;
     Linear_system::Coefficients own;
     ~Scope()
     {
-      system.set_constrained(std::move(is_constrained));
-      system.exchange_coefficients(std::move(own));
+      filter.border_condition = border;
+      filter.line_condition = line;
+      filter.system.set_constrained(std::move(is_constrained));
+      filter.system.exchange_coefficients(std::move(own));
     }
   };
   Linear_system::Coefficients of_extension;
   of_extension.metrics = filter.system.metrics();
   of_extension.weights.value = 0;
   of_extension.weights.gradient = 1;
-  const Scope scope{filter.system, own_constrained, filter.system.exchange_coefficients(std::move(of_extension))};
+  const Scope scope{filter, filter.border_condition, filter.line_condition, own_constrained,
+                    filter.system.exchange_coefficients(std::move(of_extension))};
+  filter.border_condition = filter.line_condition = Border_condition::FREE;
   filter.system.set_constrained(constrained);
   Signal change;
   if(const Error_code code = filter.solve_by_vertex(signal, change))

@@ -44,9 +44,10 @@ CGAL_GDP_INLINE Error_code Spectral_system::assemble_matrices(const Indexed_tria
   Stage_scope stage(progress, Stage::ASSEMBLE);
   const Lists rings = mesh.one_rings(m_parallel);
   const bool has_virtual_vertices = mesh.virtual_vertices.size() > 0;
+  const std::vector<double> masses = lumped_masses(mesh, metrics, m_parallel);
   std::vector<char> is_free(mesh.points.size());
   for(int v = 0; v < mesh.number_of_vertices(); ++v)
-    is_free[v] = !is_constrained[v] && mesh.corners.size(v) > 0 && v < mesh.first_virtual_vertex();
+    is_free[v] = !is_constrained[v] && masses[std::size_t(v)] > 0 && v < mesh.first_virtual_vertex();
   bool is_cancelled = false;
   m_dofs = elimination_order(mesh.points, has_virtual_vertices ? rings_of_polygons(rings, mesh) : rings, is_free,
                              m_parallel, [&] { return !(is_cancelled = !progress.go_on()); });
@@ -59,7 +60,6 @@ CGAL_GDP_INLINE Error_code Spectral_system::assemble_matrices(const Indexed_tria
   weights.gradient = 1;
   set_pattern(sparsity_pattern(rings, all, false, m_parallel), m_parallel, m_stiffness);
   assemble(mesh, metrics, weights, all, m_parallel, m_stiffness, false);
-  const std::vector<double> masses = lumped_masses(mesh, metrics, m_parallel);
   m_masses.resize(all.size());
   for(int i = 0; i < all.size(); ++i)
     m_masses[i] = masses[std::size_t(all.vertex[std::size_t(i)])];

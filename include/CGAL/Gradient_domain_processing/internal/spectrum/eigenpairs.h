@@ -51,6 +51,12 @@ public:
   {
     const int n = int(m_a.rows());
     count = (std::min)(count, n);
+    if(count == 0)
+    {
+      result.values.resize(0);
+      result.vectors.resize(n, 0);
+      return ok;
+    }
     double sigma = 0;
     int below = 0;
     if(const Error_code code = first_shift(sigma, below))
