@@ -486,13 +486,12 @@ void test_lines()
     == GDP::ok);
 }
 
-} // namespace
-
-// Where one side of a seam has no value, it takes that of the other; where none has, that of its surroundings. The middle
-// of a polygon is no reason for another value.
+// Where one side of a seam has no value, it takes that of the other; where none has, that of its surroundings. The
+// middle of a polygon is no reason for another value.
 void test_missing_values()
 {
-  const Points points = {Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0)};
+  const Points points = {Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0),
+                         Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0)};
   const std::vector<std::array<std::size_t, 3> > triangles = {{{0, 1, 2}}, {{3, 4, 5}}};
   std::vector<double> values = {7, 5, 3, std::nan(""), 2, 3};
   const auto map = CGAL::make_property_map(values);
@@ -501,7 +500,8 @@ void test_missing_values()
   GDP_CHECK_NEAR(values[3], 5, 1e-12);
   GDP_CHECK(values[0] == 7 && values[1] == 5 && values[4] == 2);
 
-  const Points corners = {Point(0, 0, 0), Point(3, 0, 0), Point(2, 2, 0), Point(0, 1, 0), Point(5, 1, 0), Point(4, 3, 0)};
+  const Points corners = {Point(0, 0, 0), Point(3, 0, 0), Point(2, 2, 0),
+                          Point(0, 1, 0), Point(5, 1, 0), Point(4, 3, 0)};
   const std::vector<std::array<std::size_t, 4> > quads = {{{0, 1, 2, 3}}, {{1, 4, 5, 2}}};
   std::vector<double> constant = {4, 4, std::nan(""), 4, 4, 4};
   const auto of_constant = CGAL::make_property_map(constant);
@@ -509,6 +509,8 @@ void test_missing_values()
   for(double x : constant)
     GDP_CHECK_NEAR(x, 4, 1e-12);
 }
+
+} // namespace
 
 int main()
 {
