@@ -282,6 +282,9 @@ void test_bad_files(const Mesh& mesh)
   fs::remove(folder / "quad.off");
   fails("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "line 4");
   fails("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4\n", "line 4");
+  fails("bad.obj", "f 1 2 -9223372036854775808\nv 0 0 0\nv 1 0 0\nv 0 1 0\n", "line 1: a face has a vertex");
+  fails("bad.obj", "f -9223372036854775808 -9223372036854775808 -9223372036854775808\nv 0 0 0\nv 1 0 0\nv 0 1 0\n",
+        "line 1: a face has a vertex");
   fails("bad.stl", std::string(80, ' ') + "\xff\xff\xff\xff" + std::string(50, ' '), "STL");
 
   const std::string head = "ply\nformat binary_little_endian 1.0\n";
@@ -333,6 +336,33 @@ void test_bad_files(const Mesh& mesh)
 }
 
 // Nothing can be written, or not all of it.
+// Files of several blocks: lines that go on at their boundary, indices into the blocks before, the line of a mistake.
+void test_blocks()
+{
+  std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  while(obj.size() < (std::size_t(5) << 19))
+    obj += "# no number\n";
+  const std::string comments = std::to_string(std::count(obj.begin(), obj.end(), '#')) + " comments";
+  obj += "f -1 -2 -3\n";
+  write(folder / "long.obj", obj);
+  check_copies("long.obj out.off", {"not kept: " + comments});
+  GDP_CHECK(contents(folder / "out.off").find("\n3 2 1 0\n") != std::string::npos);
+  obj += "f 1 2 -4\nf 1 2 x\n";
+  write(folder / "long.obj", obj);
+  fs::remove(folder / "out.off");
+  check_fails("long.obj out.off", 1, "line " + std::to_string(std::count(obj.begin(), obj.end(), '\n') - 1) + ": ");
+
+  // one line with many breaks
+  std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf";
+  while(corners.size() < (std::size_t(5) << 19))
+    corners += " \\\r\n";
+  write(folder / "long.obj", corners + "1 2 3\n");
+  check_copies("long.obj out.off");
+  GDP_CHECK(contents(folder / "out.off").find("\n3 0 1 2\n") != std::string::npos);
+  fs::remove(folder / "long.obj");
+  fs::remove(folder / "out.off");
+}
+
 void test_no_room()
 {
 #if defined(__unix__) || defined(__APPLE__)
@@ -1347,6 +1377,7 @@ int main(int argc, char* argv[])
 
     test_usage();
     test_bad_files(mesh);
+    test_blocks();
     test_no_room();
     test_result(mesh);
     test_properties(mesh);

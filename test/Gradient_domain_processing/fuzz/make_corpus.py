@@ -190,5 +190,6 @@ seed("lie_ply_list", "a.ply b.ply", ply_header("binary_big_endian", ([0], [0])).
 seed("lie_stl", "a.stl b.stl", b" " * 80 + b"\xff" * 4 + bytes(50))
 seed("indices_off", "a.off b.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n3 0 -1 2\n")
 seed("indices_obj", "a.obj b.off", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\nf 1 -9 99999999999999999999\n")
+seed("indices_obj_least", "a.obj b.off", "f -9223372036854775808 -9223372036854775808 -9223372036854775808\n" + whole["obj"])
 seed("weights", "a.off b.off --value-weight 0 --gradient-weight 1e308", whole["off"])
 seed("usage", "a.off b.stl --signal color --metric round", whole["off"])

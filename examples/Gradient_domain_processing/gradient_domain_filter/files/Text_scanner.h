@@ -42,8 +42,11 @@ public:
   {
     const char* const begin = m_at;
     const char* end = static_cast<const char*>(std::memchr(m_at, '\n', remaining()));
-    while(m_lines_continue && end && is_continued(begin, end))
-      end = static_cast<const char*>(std::memchr(end + 1, '\n', std::size_t(m_end - end - 1)));
+    for(const char* row = begin; m_lines_continue && end && is_continued(row, end);)
+    {
+      row = end + 1;
+      end = static_cast<const char*>(std::memchr(row, '\n', std::size_t(m_end - row)));
+    }
     m_at = end ? end + 1 : m_end;
     if(!end)
       end = m_end;

@@ -24,8 +24,9 @@ struct Obj_indices
   // An index of OBJ: from 1, or from the end where negative. False where it points nowhere, as far as that is known.
   bool read(std::string_view word, std::size_t size, std::size_t corner, bool is_all, int& index)
   {
+    constexpr long long most = (1ll << 31) - 2;
     long long i;
-    if(!Text_scanner(word).integer(i) || i == 0 || std::abs(i) > (1ll << 31) - 2)
+    if(!Text_scanner(word).integer(i) || i == 0 || i < -most || i > most)
       return false;
     const long long missing = i > 0 ? i - (long long)size : -i - (long long)size;
     if(is_all && missing > 0)
