@@ -208,10 +208,9 @@ Error_code Filter::presmooth(double weight, Signal& signal)
     return ok;
   struct Other_coefficients
   {
-    typedef Linear_system::Coefficients Coefficients;
     Linear_system& system;
-    Coefficients own;
-    Other_coefficients(Linear_system& s, Coefficients other)
+    Linear_system::Coefficients own;
+    Other_coefficients(Linear_system& s, Linear_system::Coefficients other)
       : system(s)
       , own(s.exchange_coefficients(std::move(other)))
     {
