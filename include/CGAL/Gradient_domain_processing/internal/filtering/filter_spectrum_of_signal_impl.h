@@ -43,13 +43,13 @@ CGAL_GDP_INLINE Error_code subtract_harmonic_extension(Filter& filter, Signal& s
   struct Scope
   {
     Filter& filter;
-    Border_condition border, line; // what is a curve of its own counts as fixed
+    Border_condition of_border, of_lines; // what is a curve of its own counts as fixed
     std::vector<char> is_constrained;
     Linear_system::Coefficients own;
     ~Scope()
     {
-      filter.border_condition = border;
-      filter.line_condition = line;
+      filter.border_condition = of_border;
+      filter.line_condition = of_lines;
       filter.system.set_constrained(std::move(is_constrained));
       filter.system.exchange_coefficients(std::move(own));
     }
