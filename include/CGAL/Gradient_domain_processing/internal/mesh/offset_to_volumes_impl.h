@@ -42,14 +42,10 @@ inline std::vector<Vec3> unit_offsets(const Indexed_triangles& mesh, const std::
       offsets[std::size_t(v)] /= (std::max)(height / area, least_cosine);
   }
   // what is inside of a polygon follows its corners
-  const Virtual_vertices& inside = mesh.virtual_vertices;
-  for(int k = 0; k < inside.size(); ++k)
-  {
-    Vec3 mean = Vec3::Zero();
-    for(int at = inside.corners.offsets[k]; at < inside.corners.offsets[k + 1]; ++at)
-      mean += inside.weights[std::size_t(at)] * offsets[std::size_t(mesh.vertex_of(inside.corners.items[at]))];
-    offsets[std::size_t(mesh.first_virtual_vertex() + k)] = mean;
-  }
+  for(int k = 0; k < mesh.virtual_vertices.size(); ++k)
+    offsets[std::size_t(mesh.first_virtual_vertex() + k)] = mesh.virtual_vertices.mean(k, [&](int row) {
+      return offsets[std::size_t(mesh.vertex_of(row))];
+    });
   return offsets;
 }
 
