@@ -157,8 +157,8 @@ void test_meshes_without_volume()
   GDP_CHECK(is_finite(flat));
 }
 
-// A closed soup encloses nothing that one could speak of where a triangle is the wrong way around, or a wall has rooms on
-// both sides.
+// A closed soup encloses nothing that one could speak of where a triangle is the wrong way around, or a wall has rooms
+// on both sides.
 void test_soups_without_orientation()
 {
   const Shape ball = sphere(4);

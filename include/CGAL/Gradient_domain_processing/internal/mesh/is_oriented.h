@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Whether the area vectors of every component of a surface without border cancel. Only then is what it encloses the same
-// seen from any origin; a triangle the wrong way around, or a wall between two rooms, has no side that is inside.
+// Whether the area vectors of every component of a surface without border cancel. Only then is what it encloses the
+// same seen from any origin; a triangle the wrong way around, or a wall between two rooms, has no side that is inside.
 bool is_oriented(const Indexed_triangles& mesh);
 
 } // namespace internal
