@@ -44,7 +44,12 @@ class Normal_filter
 
 public:
   Normal_filter(const Indexed_triangles& mesh, const Dual_graph& dual, bool parallel)
-    : m_mesh(mesh), m_dual(dual), m_system(dual, parallel), m_parallel(parallel), m_right(dual.size()), m_solution(dual.size())
+    : m_mesh(mesh)
+    , m_dual(dual)
+    , m_system(dual, parallel)
+    , m_parallel(parallel)
+    , m_right(dual.size())
+    , m_solution(dual.size())
   {}
 
   // smoothing(f) says it for a triangle; an edge gets the mean of its two.
