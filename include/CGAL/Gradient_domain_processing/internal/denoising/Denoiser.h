@@ -86,6 +86,7 @@ private:
     Removed_heights removed(m_mesh, m_rings, m_parallel);
     Face_geometry faces(m_mesh, m_dual, points, m_parallel);
     Normal_variation variation;
+    bool is_smooth = false;
     std::vector<Vec3> before;
     const bool is_named = m_options.number_of_iterations.has_value();
     const int passes = m_options.number_of_iterations.value_or(denoising::most_passes);
@@ -111,6 +112,8 @@ private:
       faces = Face_geometry(m_mesh, m_dual, points, m_parallel);
       if(!is_named && m_reach == 1 && is_at_end(k + 1, removes_detail, before, faces, variation, points))
         break;
+      if(is_named && k + 2 >= passes)
+        is_smooth = is_smooth_surface(faces, variation);
       m_summary.number_of_iterations = unsigned(k + 1);
       if(k + 1 == denoising::border_passes)
       {
@@ -119,13 +122,20 @@ private:
       }
     }
     if(passes > 0 && m_reach == 1 && m_summary.end != Denoising_end::detail)
-      fair(faces, removed, points);
+      fair(is_smooth || m_summary.end == Denoising_end::smooth_surface, faces, removed, points);
     return ok;
   }
 
-  void fair(const Face_geometry& last_faces, Removed_heights& removed, std::vector<Vec3>& points) const
+  // The variation is that of the last pass, and then of this.
+  bool is_smooth_surface(const Face_geometry& faces, Normal_variation& variation) const
   {
-    const bool is_smooth = m_summary.end == Denoising_end::smooth_surface;
+    const Normal_variation last = variation;
+    variation = Normal_variation(faces.normals, m_dual, m_mesh);
+    return !variation.is_of_folded_surface() && variation.is_of_smooth_surface(last);
+  }
+
+  void fair(bool is_smooth, const Face_geometry& last_faces, Removed_heights& removed, std::vector<Vec3>& points) const
+  {
     const double weight = m_options.value_weight.value_or(denoising::value_weight);
     Surface_fairing fairing(m_mesh, m_rings, (std::min)(1., denoising::value_weight / weight), m_parallel);
     if(!is_smooth)
@@ -181,7 +191,8 @@ private:
     const Face_geometry faces(m_mesh, m_dual, points, m_parallel);
     m_noise = estimate_noise(m_mesh, faces, m_dual, m_rings, m_parallel);
     const bool is_white = m_noise.level > 0;
-    const bool is_correlated = has_correlated_noise(m_mesh, m_dual, m_rings, points, faces, m_parallel);
+    const bool is_correlated =
+      has_correlated_noise(m_mesh, m_dual, m_rings, points, faces, mean_edge_length(points), m_parallel);
     const bool is_named = m_options.noise_level || m_options.noise_scale || m_options.number_of_iterations;
     if(is_correlated || (m_options.noise_scale && *m_options.noise_scale > 1))
       m_noise.level = denoising::correlated_level;
@@ -259,17 +270,20 @@ private:
     }) / (3. * double(n));
   }
 
-  // The farthest pass of a smooth surface that pays is one of these.
-  static bool may_be_last(int passes)
+  // The farthest pass of a smooth surface that pays is one of two; as long as heavy noise keeps all differences small, no
+  // pass tells creases.
+  bool may_be_last(int passes) const
   {
-    return passes == denoising::smooth_passes || passes == denoising::smooth_passes + 1;
+    using namespace denoising;
+    const double first = similarity * m_noise.level / similarity_max;
+    const int blind = first > 1 ? int(std::log(first) / -std::log(similarity_decay)) : 0;
+    return passes == smooth_passes + blind || passes == smooth_passes + blind + 1;
   }
 
   bool is_at_end(int passes, bool removes_detail, const std::vector<Vec3>& before, const Face_geometry& faces,
                  Normal_variation& variation, std::vector<Vec3>& points) const
   {
-    const Normal_variation last = variation;
-    variation = Normal_variation(faces.normals, m_dual, m_mesh);
+    const bool is_smooth = is_smooth_surface(faces, variation);
     if(variation.is_of_folded_surface())
       return false;
     if(removes_detail)
@@ -278,7 +292,7 @@ private:
       m_summary.end = Denoising_end::detail;
       return true;
     }
-    if(may_be_last(passes) && variation.is_of_smooth_surface(last))
+    if(may_be_last(passes) && is_smooth)
     {
       m_summary.end = Denoising_end::smooth_surface;
       m_summary.number_of_iterations = unsigned(passes);
