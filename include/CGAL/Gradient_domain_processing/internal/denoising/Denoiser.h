@@ -270,8 +270,8 @@ private:
     }) / (3. * double(n));
   }
 
-  // The farthest pass of a smooth surface that pays is one of two; as long as heavy noise keeps all differences small, no
-  // pass tells creases.
+  // The farthest pass of a smooth surface that pays is one of two; as long as heavy noise keeps all differences small,
+  // no pass tells creases.
   bool may_be_last(int passes) const
   {
     using namespace denoising;

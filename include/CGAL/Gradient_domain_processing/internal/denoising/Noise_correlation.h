@@ -129,8 +129,8 @@ inline double root_mean_square(const std::vector<double>& numbers)
   return numbers.empty() ? 0 : std::sqrt(squares / double(numbers.size()));
 }
 
-// Whether there is noise that is correlated from vertex to vertex, all over the mesh: a few creases look alike, and so do
-// teeth that are a few edges thick, and what comes back after some edges.
+// Whether there is noise that is correlated from vertex to vertex, all over the mesh: a few creases look alike, and so
+// do teeth that are a few edges thick, and what comes back after some edges.
 inline bool has_correlated_noise(const Indexed_triangles& mesh, const Dual_graph& dual, const Lists& rings,
                                  const std::vector<Vec3>& points, const Face_geometry& faces, double mean_edge_length,
                                  bool parallel)
