@@ -103,7 +103,7 @@ class Filter:
         report = os.path.join(self.folder, "report.json")
         result = self(points, faces, {"operation": "denoise", "report": report})
         with open(report) as stream:
-            return result, json.load(stream)["denoising"]["number_of_iterations"]
+            return result, int(json.load(stream)["passes"])
 
 
 def row(run, path, name, kind, level):
