@@ -148,6 +148,48 @@ void test_welding()
   }
 }
 
+// Points that no face uses may be anywhere: they say nothing about the extent, to which the tolerance of welding and the
+// powers of two of the arrays refer. A tolerance below the digits of the coordinates welds what is in the same place.
+void test_points_without_face()
+{
+  const Shape shape = wavy_patch();
+  Points apart;
+  Triangles triangles;
+  for(const auto& t : shape.triangles)
+  {
+    const int n = int(apart.size());
+    for(int v : t)
+      apart.emplace_back(shape.points[v].x() + 1e-8 * n, shape.points[v].y(), shape.points[v].z());
+    triangles.push_back({{n, n + 1, n + 2}});
+  }
+  const auto np = GDP::parameters::gradient_weight(2e-3);
+  Points welded = apart, whole = points_of(shape);
+  GDP_CHECK(GDP::smooth(welded, triangles, np.weld_tolerance(1e-4)) == GDP::ok);
+  GDP_CHECK(GDP::smooth(whole, shape.triangles, np) == GDP::ok);
+  for(double tolerance : {1e-20, 1e-300})
+  {
+    Points same = points_of(shape);
+    GDP_CHECK(GDP::smooth(same, shape.triangles, np.weld_tolerance(tolerance)) == GDP::ok);
+    GDP_CHECK(distance(same, whole) == 0);
+  }
+  const double nan_value = std::numeric_limits<double>::quiet_NaN();
+  for(const Point& other : {Point(1e149, 0, 0), Point(-1e100, 3e120, 1), Point(1e9, 0, 0), Point(nan_value, 0, 0)})
+  {
+    Points with_others = apart, whole_with_others = points_of(shape);
+    with_others.push_back(other);
+    whole_with_others.push_back(other);
+    GDP_CHECK(GDP::smooth(with_others, triangles, np.weld_tolerance(1e-4)) == GDP::ok);
+    GDP_CHECK(GDP::smooth(whole_with_others, shape.triangles, np) == GDP::ok);
+    GDP_CHECK(same_bits(with_others.back(), other) && same_bits(whole_with_others.back(), other));
+    GDP_CHECK(distance(welded, with_others) < 1e-12 && distance(whole, whole_with_others) < 1e-12);
+
+    Mesh mesh = mesh_of(shape);
+    mesh.add_vertex(other);
+    GDP_CHECK(GDP::smooth(mesh, np) == GDP::ok);
+    GDP_CHECK(distance(whole, points_of(mesh)) < 1e-12);
+  }
+}
+
 // A signal that jumps at a seam goes on jumping by as much, and is filtered on both sides as one.
 void test_signal_at_seam()
 {
@@ -352,6 +394,7 @@ int main()
 {
   test_soup_is_mesh();
   test_welding();
+  test_points_without_face();
   test_signal_at_seam();
   test_non_manifold();
   test_polygons();

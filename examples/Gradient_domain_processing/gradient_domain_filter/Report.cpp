@@ -6,11 +6,11 @@
 
 #include "Report.h"
 
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <utility>
 
 #if defined(__unix__) || defined(__APPLE__)
@@ -161,26 +161,72 @@ void add_survey(const Survey& survey, Json_object& all)
 
 } // namespace
 
-void Report::measure(const std::vector<std::vector<double> >& before, const std::vector<std::vector<double> >& after)
+bool Report::measure(const std::vector<std::vector<double> >& before, const std::vector<std::vector<double> >& after)
 {
   const std::size_t n = after.empty() ? 0 : after[0].size();
-  const bool is_new = before.size() != after.size();
+  if(before.size() != after.size())
+  {
+    changed_values = n;
+    return true;
+  }
+  const bool has_parts = survey && survey->part_of_vertex.size() == n;
+  displacement_of_part.assign(has_parts ? survey->parts.size() : 0, 0.);
+  bool is_filled = false;
+  const double infinity = std::numeric_limits<double>::infinity();
+  std::vector<double> low(after.size(), infinity), high(after.size(), -infinity); // of what has changed
   for(std::size_t i = 0; i < n; ++i)
   {
     double change = 0;
-    bool is_changed = is_new;
-    for(std::size_t c = 0; c < after.size() && !is_new; ++c)
+    bool is_changed = false;
+    for(std::size_t c = 0; c < after.size(); ++c)
     {
       is_changed =
         is_changed || !(before[c][i] == after[c][i] || (std::isnan(before[c][i]) && std::isnan(after[c][i])));
       if(const double x = after[c][i] - before[c][i]; std::isfinite(x))
         change = std::hypot(change, x);
+      is_filled = is_filled || (std::isnan(before[c][i]) && !std::isnan(after[c][i]));
+    }
+    for(std::size_t c = 0; c < after.size() && is_changed; ++c)
+    {
+      low[c] = (std::min)(low[c], after[c][i]);
+      high[c] = (std::max)(high[c], after[c][i]);
     }
     changed_values += is_changed;
     max_displacement = (std::max)(max_displacement, change);
     mean_displacement += change / double(n);
+    if(has_parts && survey->part_of_vertex[i] >= 0)
+    {
+      double& most = displacement_of_part[std::size_t(survey->part_of_vertex[i])];
+      most = (std::max)(most, change);
+    }
   }
+  double rounding = 0;
+  for(std::size_t c = 0; c < after.size() && changed_values > 0; ++c)
+    rounding =
+      (std::max)({rounding, 1e-12 * (high[c] - low[c]), 1e-15 * std::abs(high[c]), 1e-15 * std::abs(low[c])});
+  return is_filled || (changed_values > 0 && max_displacement > rounding);
 }
+
+namespace {
+
+// Parts whose vertices move by less than a thousandth of an edge, while others do move.
+std::string idle_parts(const Survey& survey, const std::vector<double>& displacements)
+{
+  std::size_t idle = 0, first = 0;
+  for(std::size_t i = 0; i < displacements.size(); ++i)
+    if(displacements[i] < 1e-3 * std::sqrt(survey.parts[i].area / double(survey.parts[i].faces)))
+    {
+      first = idle == 0 ? survey.parts[i].first_face : first;
+      ++idle;
+    }
+  if(idle == 0)
+    return std::string();
+  return std::to_string(idle) + (idle == 1 ? " part hardly moves" : " parts hardly move") + ", "
+         + (idle == 1 ? "that" : "first that") + " of face " + std::to_string(first)
+         + ": the gradient weight is small for such large faces";
+}
+
+} // namespace
 
 std::vector<std::string> Report::remarks(const Options& o) const
 {
@@ -189,9 +235,18 @@ std::vector<std::string> Report::remarks(const Options& o) const
     return remarks;
   const bool has_one_weight =
     o.is_of_paper() && o.signal != Signal_kind::CURVATURE && o.gradient_weight_property.empty();
+  const bool near_ones_are_welded =
+    o.weld_tolerance.value_or(0) > 0
+    && std::any_of(notices.begin(), notices.end(), [](const std::string& s) { return s.find("welded") != std::string::npos; });
   for(const std::string& remark :
-      survey->remarks(o.weld_tolerance.has_value(), o.weld_tolerance.value_or(0) > 0, has_one_weight))
+      survey->remarks(o.weld_tolerance.has_value(), near_ones_are_welded, has_one_weight))
     remarks.push_back(remark);
+  if(has_one_weight && o.moves_vertices() && o.region_property.empty() && o.constrained_property.empty())
+    if(const std::string idle = idle_parts(*survey, displacement_of_part); !idle.empty())
+      remarks.push_back(idle);
+  if(o.operation == Operation::FILTER && o.moves_vertices() && o.value_weight == 0 && o.value_weight_property.empty()
+     && o.hessian_weight == 0 && !o.constrained_property.empty())
+    remarks.push_back("without a value weight the surface is spanned like a soap film; --operation fair goes on smoothly");
   if(o.has_metric() && o.curvature == CGAL::Gradient_domain_processing::Curvature_estimator::JETS
      && 20 * survey->needles > survey->faces)
     remarks.push_back(
