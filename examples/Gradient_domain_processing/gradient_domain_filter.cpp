@@ -82,6 +82,8 @@ void filter(const Options& options, const Output_form& form, Mesh_file& file, St
   if(options.moves_vertices() && !options.keeps_normals)
     report.updated_normals = update_normals(points, file);
   report.not_kept = not_kept(file, form);
+  if(is_changed)
+    report.notices = rounded_signals(options, file, form);
   if(is_changed && !report.facts.why_unchanged.empty())
     report.notices.push_back(report.facts.why_unchanged); // outliers and missing heights have moved all the same
   for(const std::string& notice : clock.notices())
@@ -162,7 +164,10 @@ void run(const Options& options)
     if(file.has_mark && written.substr(0, 3) == utf8_mark)
       written.remove_prefix(3);
     if(report.why_unchanged.empty() && written.size() == size && std::hash<std::string_view>()(written) == hash)
+    {
       report.why_unchanged = "all changes are smaller than what the numbers of the file can hold";
+      report.changed_values = 0;
+    }
     output.write(is_compressed_name(options.output) ? packed(contents) : std::move(contents));
   }
   if(report_file)

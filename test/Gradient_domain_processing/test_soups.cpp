@@ -148,8 +148,9 @@ void test_welding()
   }
 }
 
-// Points that no face uses may be anywhere: they say nothing about the extent, to which the tolerance of welding and the
-// powers of two of the arrays refer. A tolerance below the digits of the coordinates welds what is in the same place.
+// Points that no face uses may be anywhere: they say nothing about the extent, to which the tolerance of welding and
+// the powers of two of the arrays refer. A tolerance below the digits of the coordinates welds what is in the same
+// place.
 void test_points_without_face()
 {
   const Shape shape = wavy_patch();
@@ -188,6 +189,23 @@ void test_points_without_face()
     GDP_CHECK(GDP::smooth(mesh, np) == GDP::ok);
     GDP_CHECK(distance(whole, points_of(mesh)) < 1e-12);
   }
+}
+
+// Triangles that are turned over make no difference, nor for volumes that are restored.
+void test_turned_triangles()
+{
+  const Shape shape = sphere(6).noisy(0.02);
+  Triangles turned = shape.triangles;
+  Random random(5);
+  for(auto& t : turned)
+    if(random() > 0)
+      std::swap(t[1], t[2]);
+  const auto np = GDP::parameters::gradient_weight(5e-3).restore_volume(true).number_of_iterations(2);
+  Points points = points_of(shape), same = points, loose = points;
+  GDP_CHECK(GDP::smooth(points, shape.triangles, np) == GDP::ok && GDP::smooth(same, turned, np) == GDP::ok);
+  GDP_CHECK(GDP::smooth(loose, turned, GDP::parameters::gradient_weight(5e-3).number_of_iterations(2)) == GDP::ok);
+  GDP_CHECK(distance(points, same) < 1e-12);
+  GDP_CHECK(distance(points, loose) > 1e-3);
 }
 
 // A signal that jumps at a seam goes on jumping by as much, and is filtered on both sides as one.
@@ -395,6 +413,7 @@ int main()
   test_soup_is_mesh();
   test_welding();
   test_points_without_face();
+  test_turned_triangles();
   test_signal_at_seam();
   test_non_manifold();
   test_polygons();

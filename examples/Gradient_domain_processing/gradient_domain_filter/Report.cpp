@@ -98,6 +98,18 @@ public:
   std::string text() const { return m_text + "\n" + m_indent + "}"; }
 };
 
+struct Range
+{
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+
+  void add(double x)
+  {
+    low = x < low ? x : low; // NaN is not
+    high = x > high ? x : high;
+  }
+  double extent() const { return high > low ? high - low : 0; }
+};
+
 // The weights that the operation really used, with their names; a property in quotes where one gave them.
 std::vector<std::pair<std::string, std::string> > used_weights(const Options& o)
 {
@@ -172,8 +184,7 @@ bool Report::measure(const std::vector<std::vector<double> >& before, const std:
   const bool has_parts = survey && survey->part_of_vertex.size() == n;
   displacement_of_part.assign(has_parts ? survey->parts.size() : 0, 0.);
   bool is_filled = false;
-  const double infinity = std::numeric_limits<double>::infinity();
-  std::vector<double> low(after.size(), infinity), high(after.size(), -infinity); // of what has changed
+  std::vector<Range> was(after.size()), is(after.size()); // of what has changed
   for(std::size_t i = 0; i < n; ++i)
   {
     double change = 0;
@@ -188,8 +199,8 @@ bool Report::measure(const std::vector<std::vector<double> >& before, const std:
     }
     for(std::size_t c = 0; c < after.size() && is_changed; ++c)
     {
-      low[c] = (std::min)(low[c], after[c][i]);
-      high[c] = (std::max)(high[c], after[c][i]);
+      was[c].add(before[c][i]);
+      is[c].add(after[c][i]);
     }
     changed_values += is_changed;
     max_displacement = (std::max)(max_displacement, change);
@@ -200,10 +211,16 @@ bool Report::measure(const std::vector<std::vector<double> >& before, const std:
       most = (std::max)(most, change);
     }
   }
-  double rounding = 0;
+  double rounding = 0, extent_before = 0, extent_after = 0;
   for(std::size_t c = 0; c < after.size() && changed_values > 0; ++c)
+  {
     rounding =
-      (std::max)({rounding, 1e-12 * (high[c] - low[c]), 1e-15 * std::abs(high[c]), 1e-15 * std::abs(low[c])});
+      (std::max)({rounding, 1e-12 * is[c].extent(), 1e-15 * std::abs(is[c].high), 1e-15 * std::abs(is[c].low)});
+    extent_before = (std::max)(extent_before, was[c].extent());
+    extent_after = (std::max)(extent_after, is[c].extent());
+  }
+  if(extent_before > 0)
+    extent_ratio = extent_after / extent_before;
   return is_filled || (changed_values > 0 && max_displacement > rounding);
 }
 
@@ -237,16 +254,21 @@ std::vector<std::string> Report::remarks(const Options& o) const
     o.is_of_paper() && o.signal != Signal_kind::CURVATURE && o.gradient_weight_property.empty();
   const bool near_ones_are_welded =
     o.weld_tolerance.value_or(0) > 0
-    && std::any_of(notices.begin(), notices.end(), [](const std::string& s) { return s.find("welded") != std::string::npos; });
-  for(const std::string& remark :
-      survey->remarks(o.weld_tolerance.has_value(), near_ones_are_welded, has_one_weight))
+    && std::any_of(notices.begin(), notices.end(),
+                   [](const std::string& s) { return s.find("welded") != std::string::npos; });
+  for(const std::string& remark : survey->remarks(o.weld_tolerance.has_value(), near_ones_are_welded, has_one_weight))
     remarks.push_back(remark);
   if(has_one_weight && o.moves_vertices() && o.region_property.empty() && o.constrained_property.empty())
     if(const std::string idle = idle_parts(*survey, displacement_of_part); !idle.empty())
       remarks.push_back(idle);
+  if(o.moves_vertices() && o.operation != Operation::HIGH_PASS && o.operation != Operation::BAND_PASS
+     && !(extent_ratio > 0.2 && extent_ratio < 5))
+    remarks.push_back("what has changed is " + number(extent_ratio, "%.2g")
+                      + " times as large as before: are the weights, or wavelengths, those that were meant?");
   if(o.operation == Operation::FILTER && o.moves_vertices() && o.value_weight == 0 && o.value_weight_property.empty()
      && o.hessian_weight == 0 && !o.constrained_property.empty())
-    remarks.push_back("without a value weight the surface is spanned like a soap film; --operation fair goes on smoothly");
+    remarks.push_back(
+      "without a value weight the surface is spanned like a soap film; --operation fair goes on smoothly");
   if(o.has_metric() && o.curvature == CGAL::Gradient_domain_processing::Curvature_estimator::JETS
      && 20 * survey->needles > survey->faces)
     remarks.push_back(

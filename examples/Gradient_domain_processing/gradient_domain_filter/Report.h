@@ -22,6 +22,7 @@ struct Report
   std::optional<Survey> survey;
   std::size_t changed_values = 0;                     // of the signal: vertices, normals or faces
   double max_displacement = 0, mean_displacement = 0; // of the signal, in its own units
+  double extent_ratio = 1;                            // of what has changed, after and before
   std::string why_unchanged;                          // empty if anything changed but by rounding
   std::vector<double> displacement_of_part;           // the largest, where there are several
   std::vector<std::string> not_kept, notices;

@@ -74,6 +74,8 @@ std::string why_unchanged(const Options& o, const Mesh_file& file, const std::ve
     return "the signal is the same everywhere";
   if(!o.moves_vertices() && is_constant_on_faces(file, signal))
     return "on every face the signal is the same at all corners, so it has no gradients";
+  if(o.is_band())
+    return "there are no waves on this surface that the filter would take away";
   if(!o.constrained_property.empty() || o.border != CGAL::Gradient_domain_processing::Border_condition::FREE
      || o.non_manifold != CGAL::Gradient_domain_processing::Border_condition::FREE)
     return "all vertices are constrained, or in places that the filter leaves as they are";

@@ -18,6 +18,7 @@
 #include <CGAL/Gradient_domain_processing/internal/mesh/connected_components_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/morton_order_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/offset_to_volumes_impl.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/orientations_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/points_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/polygon_fans_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/read_graph_impl.h>
