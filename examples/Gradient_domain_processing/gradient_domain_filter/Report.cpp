@@ -258,11 +258,13 @@ std::vector<std::string> Report::remarks(const Options& o) const
                    [](const std::string& s) { return s.find("welded") != std::string::npos; });
   for(const std::string& remark : survey->remarks(o.weld_tolerance.has_value(), near_ones_are_welded, has_one_weight))
     remarks.push_back(remark);
-  if(has_one_weight && o.moves_vertices() && o.region_property.empty() && o.constrained_property.empty())
+  const bool is_everywhere = o.moves_vertices() && o.region_property.empty() && o.constrained_property.empty();
+  if(has_one_weight && !near_ones_are_welded && is_everywhere)
     if(const std::string idle = idle_parts(*survey, displacement_of_part); !idle.empty())
       remarks.push_back(idle);
-  if(o.moves_vertices() && o.operation != Operation::HIGH_PASS && o.operation != Operation::BAND_PASS
-     && !(extent_ratio > 0.2 && extent_ratio < 5))
+  const bool keeps_extent = o.operation != Operation::HIGH_PASS && o.operation != Operation::BAND_PASS
+                            && o.operation != Operation::FAIR;
+  if(is_everywhere && keeps_extent && !(extent_ratio > 0.2 && extent_ratio < 5))
     remarks.push_back("what has changed is " + number(extent_ratio, "%.2g")
                       + " times as large as before: are the weights, or wavelengths, those that were meant?");
   if(o.operation == Operation::FILTER && o.moves_vertices() && o.value_weight == 0 && o.value_weight_property.empty()
