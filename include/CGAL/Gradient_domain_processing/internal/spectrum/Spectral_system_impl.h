@@ -105,7 +105,7 @@ CGAL_GDP_INLINE Error_code Spectral_system::factorize(double cut_off, Progress& 
     return error_cancelled;
   Stage_scope stage(progress, Stage::FACTOR);
   Sparse_matrix matrix;
-  if(m_solver->reads_lower_triangle)
+  if(m_solver->reads_lower_triangle())
     matrix = m_stiffness.triangularView<Eigen::Lower>();
   else
     matrix = m_stiffness;
