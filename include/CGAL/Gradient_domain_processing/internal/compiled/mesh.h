@@ -19,7 +19,6 @@
 #include <CGAL/Gradient_domain_processing/internal/mesh/is_oriented_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/morton_order_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/offset_to_volumes_impl.h>
-#include <CGAL/Gradient_domain_processing/internal/mesh/orientations_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/points_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/polygon_fans_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/read_graph_impl.h>

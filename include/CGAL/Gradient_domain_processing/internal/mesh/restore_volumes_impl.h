@@ -33,10 +33,8 @@ CGAL_GDP_INLINE bool restore_volumes(const Indexed_triangles& mesh, const std::v
     bool has_origin = false;
   };
   std::vector<Sums> sums(components.count);
-  const std::vector<signed char> sign = orientations(mesh);
-  for(int f = 0; f < mesh.number_of_triangles(); ++f)
+  for(const auto& t : mesh.triangles)
   {
-    const auto& t = mesh.triangles[f];
     Sums& s = sums[components.of_vertex[t[0]]];
     if(!s.has_origin)
     {
@@ -45,7 +43,7 @@ CGAL_GDP_INLINE bool restore_volumes(const Indexed_triangles& mesh, const std::v
     }
     const auto volume = [&](const std::vector<Vec3>& p) {
       const Vec3 a = p[t[0]] - s.origin, b = p[t[1]] - s.origin, c = p[t[2]] - s.origin;
-      return (sign.empty() ? 1 : sign[f]) * a.dot(b.cross(c)) / 6;
+      return a.dot(b.cross(c)) / 6;
     };
     s.volume_before += volume(before);
     s.volume_after += volume(after);
