@@ -935,6 +935,23 @@ void test_report(const Mesh& mesh)
   GDP_CHECK(Json(denoised).is_valid() && denoised.find("\"noise_level\": ") != std::string::npos);
   GDP_CHECK(denoised.find("\"passes\": 1,") != std::string::npos
             && denoised.find("\"gradient_weight\"") == std::string::npos);
+  // and the solver is the one that solved
+  GDP_CHECK(run("mesh.off out.ply --report report.json --solver cg --gradient-weight 1e-2").code == 0);
+  GDP_CHECK(contents(folder / "report.json").find("\"solver\": \"cg\"") != std::string::npos);
+  std::string strip = "OFF\n900 841 0\n";
+  for(int v = 0; v < 900; ++v)
+    strip += std::to_string(v / 30) + " " + std::to_string(1e-4 * (v % 30)) + " "
+             + std::to_string((v * 7 % 10) * 0.01) + "\n";
+  for(int v = 0; v < 870; ++v)
+    if(v % 30 < 29)
+      strip += "4 " + std::to_string(v) + " " + std::to_string(v + 30) + " " + std::to_string(v + 31) + " "
+               + std::to_string(v + 1) + "\n";
+  write(folder / "strip.off", strip);
+  const Outcome turned = run("strip.off out.ply --report report.json --solver cg --gradient-weight 1e14");
+  const bool is_by_cholesky = turned.err.find("is solved by Cholesky factorization") != std::string::npos;
+  GDP_CHECK(turned.code == 0
+            && is_by_cholesky == (contents(folder / "report.json").find("\"solver\": \"cg\"") == std::string::npos));
+  fs::remove(folder / "strip.off");
   fs::remove(folder / "report.json");
   fs::remove(folder / "a\"b.ply");
   const Outcome outcome = run("mesh.off out.ply --verbose");
