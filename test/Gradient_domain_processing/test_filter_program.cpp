@@ -689,8 +689,7 @@ void test_beyond_the_paper(const Mesh& mesh)
   for(std::string a, b; std::getline(whole, a) && std::getline(welded, b);)
     if(a[0] != 'i')
       GDP_CHECK_NEAR(std::stod(a.substr(2)), std::stod(b.substr(2)), 1e-6);
-  check_succeeds("soup.off out.ply --operation spectrum --count 2 --no-weld",
-                 {"border vertices at the same place", "faces that are connected to no other"});
+  check_succeeds("soup.off out.ply --operation spectrum --count 2 --no-weld", {"border vertices at the same place"});
   fs::remove(folder / "soup.off");
   fs::remove(folder / "soup.csv");
   check_fails("mesh.off out.off --operation spectrum", 2, "PLY");
@@ -877,13 +876,13 @@ void test_denoise(const Mesh& mesh)
     Mesh expected = noisy;
     GDP_CHECK(GDP::denoise(expected, GDP::parameters::number_of_iterations(passes)) == GDP::ok);
     check_succeeds("noisy.off out.ply --operation denoise --passes " + std::to_string(passes));
-    GDP_CHECK(largest_difference(read_ply("out.ply"), expected) < 1e-9);
+    GDP_CHECK_NEAR(largest_difference(read_ply("out.ply"), expected), 0, 1e-6); // single precision
     GDP_CHECK(largest_difference(expected, noisy) > 1e-3);
   }
   Mesh expected = noisy;
   GDP_CHECK(GDP::denoise(expected) == GDP::ok);
   check_succeeds("noisy.off out.ply --operation denoise");
-  GDP_CHECK(largest_difference(read_ply("out.ply"), expected) < 1e-9);
+  GDP_CHECK_NEAR(largest_difference(read_ply("out.ply"), expected), 0, 1e-6); // single precision
   GDP_CHECK(largest_difference(expected, noisy) > 1e-3);
   check_succeeds("mesh.off out.ply --operation denoise --noise-level 0", {"nothing has changed: no noise was found"});
   check_fails("noisy.off out.ply --passes 3", 2, "denoise");
