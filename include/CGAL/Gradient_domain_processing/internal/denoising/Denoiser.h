@@ -22,6 +22,7 @@
 #include <CGAL/Gradient_domain_processing/internal/denoising/Position_fit.h>
 #include <CGAL/Gradient_domain_processing/internal/denoising/Removed_heights.h>
 #include <CGAL/Gradient_domain_processing/internal/denoising/Smoothing_schedule.h>
+#include <CGAL/Gradient_domain_processing/internal/denoising/Surface_fairing.h>
 #include <CGAL/Gradient_domain_processing/internal/denoising/smooth_border.h>
 #include <CGAL/Gradient_domain_processing/visitor.h>
 
@@ -117,7 +118,31 @@ private:
         weigh_positions(fit_positions);
       }
     }
+    if(passes > 0 && m_reach == 1 && m_summary.end != Denoising_end::detail)
+      fair(faces, removed, points);
     return ok;
+  }
+
+  void fair(const Face_geometry& last_faces, Removed_heights& removed, std::vector<Vec3>& points) const
+  {
+    const bool is_smooth = m_summary.end == Denoising_end::smooth_surface;
+    const double weight = m_options.value_weight.value_or(denoising::value_weight);
+    Surface_fairing fairing(m_mesh, m_rings, (std::min)(1., denoising::value_weight / weight), m_parallel);
+    if(!is_smooth)
+      fairing.keep_creases(m_dual, last_faces.normals);
+    Face_geometry faces = last_faces;
+    for(int round = 0; round < (is_smooth ? denoising::fairing_rounds : 1); ++round)
+    {
+      if(round > 0)
+        faces = Face_geometry(m_mesh, m_dual, points, m_parallel);
+      const std::vector<Vec3> normals = vertex_normals(m_mesh, faces.areas, faces.normals, m_parallel);
+      fairing([&](int v) { return !m_is_constrained[v]; }, normals, points);
+      if(!is_smooth)
+        continue;
+      removed.measure(m_input, points, normals);
+      removed.give_back_detail([&](int v) { return may_get_detail_back(v); }, denoising::detail_threshold_of_fairing,
+                               normals, points);
+    }
   }
 
   // Says whether too much of what was taken away is detail.
@@ -127,7 +152,8 @@ private:
     removed.measure(m_input, points, normals);
     if(pass + 1 >= denoising::first_detail_pass || removed.correlation() > most_correlation())
     {
-      removed.give_back_detail([&](int v) { return may_get_detail_back(v); }, normals, points);
+      removed.give_back_detail([&](int v) { return may_get_detail_back(v); }, denoising::detail_threshold, normals,
+                               points);
       removed.measure(m_input, points, normals);
     }
     return removed.correlation() > most_correlation();

@@ -68,9 +68,10 @@ public:
 
   // may_move(v); the measured heights are used up.
   template <class May_move>
-  void give_back_detail(const May_move& may_move, const std::vector<Vec3>& normals, std::vector<Vec3>& points)
+  void give_back_detail(const May_move& may_move, double threshold, const std::vector<Vec3>& normals,
+                        std::vector<Vec3>& points)
   {
-    const double of_noise = denoising::detail_threshold * clip(may_move);
+    const double of_noise = threshold * clip(may_move);
     smooth(denoising::detail_steps, m_heights);
     m_energies.resize(m_heights.size());
     parallel_for(m_parallel, m_heights.size(), [&](std::size_t v) { m_energies[v] = m_heights[v] * m_heights[v]; });
