@@ -105,6 +105,8 @@ private:
 // Points that no triangle uses may be anywhere. What is less than the digits of the coordinates is none.
 CGAL_GDP_INLINE double length_of_tolerance(double tolerance, const Indexed_triangles& mesh)
 {
+  if(!(tolerance > 0))
+    return 0;
   const double infinity = std::numeric_limits<double>::infinity();
   Vec3 low = Vec3::Constant(infinity), high = -low;
   for(const auto& t : mesh.triangles)
@@ -125,6 +127,8 @@ CGAL_GDP_INLINE int weld_border(double tolerance, Indexed_triangles& mesh)
   for(int v = 0; v < n; ++v)
     if(mesh.is_on_border[v])
       candidates.push_back(v);
+  if(candidates.empty())
+    return 0;
   Disjoint_sets sets(n);
   Coincident_points(mesh.points, length_of_tolerance(tolerance, mesh)).join(candidates, sets);
 
