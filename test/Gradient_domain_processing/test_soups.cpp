@@ -84,10 +84,11 @@ void test_soup_is_mesh()
   for(const Shape& shape : {sphere(7).noisy(0.02), wavy_patch()})
     for(int verb = 0; verb < number_of_verbs; ++verb)
     {
+      const double tolerance = verb == 4 ? 1e-6 : 1e-9; // denoising is in single precision inside
       Mesh mesh = mesh_of(shape);
       Points points = points_of(shape);
       GDP_CHECK(run(verb, mesh) == GDP::ok && run(verb, points, shape.triangles) == GDP::ok);
-      GDP_CHECK(distance(points, points_of(mesh)) < 1e-9);
+      GDP_CHECK_NEAR(distance(points, points_of(mesh)), 0, tolerance);
       GDP_CHECK(distance(points, points_of(shape)) > 1e-4);
 
       Mesh in_region = mesh_of(shape);
@@ -97,7 +98,7 @@ void test_soup_is_mesh()
       std::iota(indices.begin(), indices.end(), std::size_t(0));
       Points of_region = points_of(shape);
       GDP_CHECK(run(verb, region, in_region) == GDP::ok && run(verb, indices, of_region, shape.triangles) == GDP::ok);
-      GDP_CHECK(distance(of_region, points_of(in_region)) < 1e-9);
+      GDP_CHECK_NEAR(distance(of_region, points_of(in_region)), 0, tolerance);
     }
 }
 
