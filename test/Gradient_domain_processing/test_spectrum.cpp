@@ -18,6 +18,7 @@
 #include <CGAL/Gradient_domain_processing/internal/spectrum/eigenpairs.h>
 #include <CGAL/Gradient_domain_processing/internal/spectrum/filter_by_harmonics.h>
 
+#include <functional>
 #include <vector>
 
 using namespace gdp_test;
@@ -137,9 +138,9 @@ void test_rational_filters()
   for(int order = 1; order <= 5; ++order)
   {
     const auto low = [order](double mu, double cut_off) { return 1 / (1 + std::pow(mu / cut_off, order)); };
-    const Rational_filter filters[4] = {Rational_filter::low_pass(12, order), Rational_filter::high_pass(12, order),
-                                        Rational_filter::band_pass(5, 20, order),
-                                        Rational_filter::band_stop(5, 20, order)};
+    const Rational_filter low_pass = Rational_filter::low_pass(12, order);
+    const Rational_filter band_pass = Rational_filter::band_pass(5, 20, order);
+    const Rational_filter filters[4] = {low_pass, low_pass.complement(), band_pass, band_pass.complement()};
     for(int i = 0; i < 4; ++i)
     {
       Eigen::MatrixXd filtered = pairs.vectors;
@@ -150,10 +151,14 @@ void test_rational_filters()
         const double band = low(mu, 20) - low(mu, 5);
         const double expected = i == 0 ? low(mu, 12) : i == 1 ? 1 - low(mu, 12) : i == 2 ? band : 1 - band;
         GDP_CHECK_NEAR(filters[i](mu), expected, 1e-12);
-        GDP_CHECK_NEAR(pairs.vectors.col(j).dot(mass * filtered.col(j)), expected, 1e-8);
+        GDP_CHECK_NEAR(filters[i].approximation(mu), expected, filters[i].error_bound());
+        GDP_CHECK_NEAR(pairs.vectors.col(j).dot(mass * filtered.col(j)), expected, filters[i].error_bound() + 1e-11);
         GDP_CHECK_NEAR((filtered.col(j) - expected * pairs.vectors.col(j)).cwiseAbs().maxCoeff(), 0, 1e-7);
       }
     }
+    GDP_CHECK(filters[0].error_bound() <= 1e-8 && filters[2].error_bound() <= 2e-8);
+    GDP_CHECK(order > 1 || filters[0].degree() == 1);
+    GDP_CHECK(filters[0].degree() <= 13 * order);
     GDP_CHECK_NEAR(filters[0](12), 0.5, 1e-13);
     GDP_CHECK_NEAR(filters[0](0), 1, 1e-13);
     GDP_CHECK(filters[0](24) <= std::pow(0.5, order) && filters[0](6) >= 1 - std::pow(0.5, order));
@@ -173,6 +178,47 @@ void test_rational_filters()
   const Eigen::MatrixXd rest_filtered =
     by_harmonics - pairs.vectors * (pairs.vectors.transpose() * (mass * by_harmonics));
   GDP_CHECK_NEAR((rest_filtered - 0.25 * rest).cwiseAbs().maxCoeff(), 0, 1e-10);
+}
+
+// The bound that is stated is kept, also where it takes another center; where it cannot be kept, there is none.
+void test_approximations()
+{
+  const Arrays sphere = arrays_of(icosphere(3));
+  const Sparse stiffness = stiffness_matrix(sphere), mass = diagonal(masses_of(sphere));
+  Eigenpairs pairs;
+  GDP_CHECK(lowest_eigenpairs(stiffness, mass, 40, pairs) == GDP::ok);
+  const std::function<double(double)> functions[4] = {
+    [](double mu) { return std::exp(-0.1 * mu); }, [](double mu) { return mu / (1 + 0.1 * mu + 0.02 * mu * mu); },
+    [](double mu) { return std::exp(-std::pow(mu - 12, 2) / 40) * std::cos(mu / 6); },
+    [](double mu) { return (std::max)(0., 1 - mu / 30); }};
+  for(int i = 0; i < 4; ++i)
+    for(double largest_error : {1e-2, 1e-3, 1e-7})
+    {
+      const Rational_filter filter = Rational_filter::approximation_near(10, functions[i], largest_error);
+      if(i == 3 && largest_error < 1e-2)
+      {
+        GDP_CHECK(std::isinf(filter.error_bound())); // it has a kink
+        continue;
+      }
+      GDP_CHECK(filter.error_bound() <= largest_error);
+      double most = 0;
+      for(double mu = 1e-4; mu < 1e7; mu *= 1.003)
+        most = (std::max)(most, std::abs(filter.approximation(mu) - functions[i](mu)));
+      GDP_CHECK(most <= filter.error_bound());
+      GDP_CHECK_NEAR(filter.approximation(0), functions[i](0), 1e-12);
+      Eigen::MatrixXd filtered = pairs.vectors;
+      GDP_CHECK(apply(filter, sphere, filtered) == GDP::ok);
+      for(int j = 0; j < 40; ++j)
+        GDP_CHECK_NEAR(pairs.vectors.col(j).dot(mass * filtered.col(j)), functions[i]((std::max)(0., pairs.values[j])),
+                       filter.error_bound() + 1e-11);
+    }
+  GDP_CHECK(Rational_filter::band_pass(5, 20, 4).series().size() == 1);
+  GDP_CHECK(Rational_filter::band_pass(0.01, 100, 4).series().size() == 2);
+  const auto exponential = [](double mu) { return std::exp(-mu); };
+  GDP_CHECK(Rational_filter::approximation_near(1, exponential, 1e-8).degree()
+            <= Rational_filter::approximation_near(16, exponential, 1e-8).degree() + 5);
+  GDP_CHECK(std::isinf(Rational_filter::approximation_near(1, [](double mu) { return mu; }, 1e-6).error_bound()));
+  GDP_CHECK(std::isinf(Rational_filter::approximation_near(1, [](double) { return std::nan(""); }, 1).error_bound()));
 }
 
 // A square whose border is constrained: pi^2 (i^2 + j^2), counted from one.
@@ -200,6 +246,7 @@ int main()
   test_sphere();
   test_bands();
   test_rational_filters();
+  test_approximations();
   test_constrained();
   return GDP_TEST_RESULT();
 }

@@ -9,6 +9,7 @@
 #include "test_shapes.h"
 #include "test_utils.h"
 
+#include <CGAL/Gradient_domain_processing/Conjugate_gradient_solver_traits.h>
 #include <CGAL/Gradient_domain_processing/filter_spectrum.h>
 #include <CGAL/Gradient_domain_processing/spectrum.h>
 
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <functional>
 #include <iostream>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -75,6 +77,62 @@ void test_bands()
       GDP_CHECK(GDP::filter_spectrum(mesh, sum, out, filter) == GDP::ok);
       GDP_CHECK_NEAR(distance(mesh, out, [&](Vertex v) { return by_harmonics[v]; }), 0, 0.01);
     }
+}
+
+// Steps with damped coefficients: one and zero but for ripples, steeper than a half at the cut-off; what is stated is
+// what happens.
+void test_windows()
+{
+  Mesh mesh = mesh_of(sphere(24).scaled(10));
+  const Signal_map second = signal_of(mesh, "v:second", [](const Point& p) { return p.x() * p.y() / 100; });
+  const Signal_map out = signal_of(mesh, "v:out", [](const Point&) { return 0; });
+  const double ripple[4] = {0.003, 0.008, 0.001, 0.0001};
+  const GDP::Spectral_window windows[4] = {GDP::Spectral_window::HAMMING, GDP::Spectral_window::HANN,
+                                           GDP::Spectral_window::BLACKMAN, GDP::Spectral_window::NUTTALL};
+  for(int i = 0; i < 4; ++i)
+  {
+    const Filter filter = Filter::windowed_low_pass(25, 40, windows[i]);
+    GDP_CHECK(filter.degree() == 40 && filter.error_bound() == 0);
+    GDP_CHECK_NEAR(filter(0), 1, 1e-14);
+    GDP_CHECK_NEAR(filter(Filter::eigenvalue(25)), 0.5, ripple[i]);
+    for(double factor = 1.35; factor < 1000; factor *= 1.01)
+    {
+      GDP_CHECK_NEAR(filter(Filter::eigenvalue(25 * factor)), 1, ripple[i]);
+      GDP_CHECK_NEAR(filter(Filter::eigenvalue(25 / factor)), 0, ripple[i]);
+    }
+    const Filter others[2] = {filter, filter.without(Filter::windowed_low_pass(40, 40, windows[i])).complement()};
+    for(const Filter& other : others)
+    {
+      GDP_CHECK(GDP::filter_spectrum(mesh, second, out, other) == GDP::ok);
+      GDP_CHECK_NEAR(distance(mesh, out, [&](Vertex v) { return other(0.06) * second[v]; }), 0, 0.02);
+    }
+  }
+}
+
+struct Notices : GDP::Default_visitor
+{
+  std::shared_ptr<int> count = std::make_shared<int>(0);
+  void notice(const std::string&) { ++*count; }
+};
+
+// A solver that does not converge gives way to one that does, and the visitor is told.
+void test_no_convergence()
+{
+  Mesh mesh = mesh_of(sphere(40));
+  const Signal_map in = signal_of(mesh, "v:in", [](const Point& p) { return std::sin(9 * p.x()) + p.y(); });
+  const Signal_map expected = signal_of(mesh, "v:expected", [](const Point&) { return 0; });
+  const Signal_map out = signal_of(mesh, "v:out", [](const Point&) { return 0; });
+  const auto function = [](double mu) { return 1 / (1 + mu / 40); };
+  for(const Filter& filter : {Filter::low_pass(0.7), Filter::approximation(function, 1)})
+  {
+    const Notices notices;
+    GDP_CHECK(GDP::filter_spectrum(mesh, in, expected, filter) == GDP::ok);
+    GDP_CHECK(GDP::filter_spectrum(mesh, in, out, filter, GDP::parameters::visitor(notices)
+                .sparse_linear_solver(GDP::Conjugate_gradient_solver_traits<>(1e-13, 1)))
+              == GDP::ok);
+    GDP_CHECK(*notices.count == 1);
+    GDP_CHECK_NEAR(distance(mesh, out, [&](Vertex v) { return expected[v]; }), 0, 1e-12);
+  }
 }
 
 // Constrained vertices and what is outside of a region keep their values; a function that is harmonic between them is
@@ -204,7 +262,11 @@ void test_refusals()
   const Signal_map out = signal_of(mesh, "v:out", [](const Point& p) { return p.x(); });
   const double infinity = HUGE_VAL, nan = std::nan("");
   for(const Filter& filter : {Filter::low_pass(0), Filter::low_pass(-1), Filter::high_pass(nan),
-                              Filter::band_pass(1, infinity), Filter::band_stop(1, 0), Filter::low_pass(1, 0)})
+                              Filter::band_pass(1, infinity), Filter::band_stop(1, 0), Filter::low_pass(1, 0),
+                              Filter::band_pass(1, nan), Filter::windowed_low_pass(1, 0),
+                              Filter::windowed_low_pass(nan), Filter::approximation([](double mu) { return mu; }, 1),
+                              Filter::approximation([](double) { return 1.; }, 0),
+                              Filter::approximation([](double mu) { return mu; }, 1).complement()})
     GDP_CHECK(GDP::filter_spectrum(mesh, out, out, filter) == GDP::error_invalid_parameter);
   const auto not_finite = [&](double) { return nan; };
   GDP_CHECK(GDP::filter_spectrum(mesh, out, out, not_finite) == GDP::error_invalid_parameter);
@@ -245,6 +307,8 @@ int main()
   GDP_CHECK(GDP::spectrum(mesh, 100000, values, harmonics) == GDP::error_invalid_parameter);
   GDP_CHECK(GDP::spectrum(Mesh(), 1, values, harmonics) == GDP::error_empty_mesh && values == before);
   test_bands();
+  test_windows();
+  test_no_convergence();
   test_constrained_bands();
   test_equivariance();
   test_refusals();

@@ -125,9 +125,6 @@ private:
   Error_code solve_as_it_is(const Target_field& target, Progress& progress, Signal& displacement,
                             bool displaces_constraints);
 
-  // False where it cannot be hoped for.
-  bool turn_to_cholesky(Progress& progress);
-
   bool has_virtual_vertices() const { return mesh.virtual_vertices.size() > 0; }
   bool has_second_order() const { return bool(m_coefficients.second_order); }
   // Not that of neighbors: the solver sees it with the first values.
