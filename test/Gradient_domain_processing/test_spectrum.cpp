@@ -18,6 +18,7 @@
 #include <CGAL/Gradient_domain_processing/internal/spectrum/eigenpairs.h>
 #include <CGAL/Gradient_domain_processing/internal/spectrum/filter_by_harmonics.h>
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -46,13 +47,13 @@ Sparse diagonal(const Eigen::VectorXd& values)
   return matrix;
 }
 
-void check_pairs(const Sparse& a, const Sparse& b, const Eigenpairs& pairs, double tolerance)
+void check_pairs(const Sparse& a, const Sparse& b, const Eigenpairs& pairs, double tolerance, double of_products = 1e-11)
 {
   const Eigen::MatrixXd residual = a * pairs.vectors - b * pairs.vectors * pairs.values.asDiagonal();
   GDP_CHECK_NEAR(residual.cwiseAbs().maxCoeff(), 0, tolerance);
   const Eigen::MatrixXd products = pairs.vectors.transpose() * (b * pairs.vectors);
   GDP_CHECK_NEAR((products - Eigen::MatrixXd::Identity(products.rows(), products.cols())).cwiseAbs().maxCoeff(), 0,
-                 1e-11);
+                 of_products);
 }
 
 // l (l + 1) as often as 2 l + 1, of second order.
@@ -103,6 +104,42 @@ void test_bands()
       if(pairs.values.size() == count)
         GDP_CHECK_NEAR((pairs.values - expected.head(count)).cwiseAbs().maxCoeff() / expected[149], 0, 1e-9);
     }
+  }
+}
+
+// Those nearest to a shift against a dense solver, wherever that is, on an eigenvalue as well: by few and by several
+// slices; on one thread to the bit the same.
+void test_shifts()
+{
+  const Arrays sphere = arrays_of(icosphere(2)), patch = arrays_of(bumpy_patch(17, 16));
+  for(const Arrays& arrays : {sphere, patch})
+  {
+    const Sparse stiffness = stiffness_matrix(arrays), mass = diagonal(masses_of(arrays));
+    const Eigen::VectorXd all =
+      Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(stiffness), Eigen::MatrixXd(mass))
+        .eigenvalues();
+    const int n = int(all.size());
+    for(double shift : {-1., 0., all[1], 6., 13.3, all[n / 2], all[n - 3], 2 * all[n - 1]})
+      for(int count : {1, 7, 90})
+      {
+        Eigenpairs pairs, on_one_thread;
+        if(!GDP_CHECK(nearest_eigenpairs(stiffness, mass, shift, count, pairs) == GDP::ok))
+          std::cerr << "  shift " << shift << ", " << count << " pairs" << std::endl;
+        if(!GDP_CHECK(pairs.values.size() == count))
+          continue;
+        check_pairs(stiffness, mass, pairs, 1e-6, 1e-10);
+        std::vector<double> distances, found;
+        for(int j = 0; j < n; ++j)
+          distances.push_back(std::abs(all[j] - shift));
+        for(int j = 0; j < count; ++j)
+          found.push_back(std::abs(pairs.values[j] - shift));
+        std::sort(distances.begin(), distances.end());
+        std::sort(found.begin(), found.end());
+        for(int j = 0; j < count; ++j)
+          GDP_CHECK_NEAR(found[std::size_t(j)], distances[std::size_t(j)], 1e-4 * (1 + std::abs(shift)));
+        GDP_CHECK(nearest_eigenpairs(stiffness, mass, shift, count, on_one_thread, false) == GDP::ok);
+        GDP_CHECK(on_one_thread.values == pairs.values && on_one_thread.vectors == pairs.vectors);
+      }
   }
 }
 
@@ -245,6 +282,7 @@ int main()
 {
   test_sphere();
   test_bands();
+  test_shifts();
   test_rational_filters();
   test_approximations();
   test_constrained();

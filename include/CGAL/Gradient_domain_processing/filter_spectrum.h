@@ -48,7 +48,8 @@ Error_code filter_spectrum(InMap in, OutMap out, const Transfer& transfer, Solve
       Eigenpairs harmonics;
       const Sparse_matrix mass(system.masses().asDiagonal());
       if(const Error_code code =
-           lowest_eigenpairs(system.stiffness(), mass, (std::min)(count, int(values.rows())), harmonics))
+           lowest_eigenpairs(system.stiffness(), mass, (std::min)(count, int(values.rows())), harmonics,
+                             system.is_parallel()))
         return code;
       const auto of_arrays = [&](double mu) { return double(transfer((std::max)(0., mu) / squared_unit)); };
       const double of_the_rest =

@@ -46,6 +46,7 @@ public:
     Triangle_metrics metrics;
     Energy_weights weights;
     Second_order_energy second_order;
+    int constraints_of_second_order = 1; // how many it needs where nothing else acts
   };
 
 private:
@@ -83,11 +84,12 @@ public:
   }
 
   // With or without it the matrix has another pattern.
-  void set_second_order(Second_order_energy energy)
+  void set_second_order(Second_order_energy energy, int needed_constraints = 1)
   {
     if(!energy && !has_second_order())
       return;
     m_coefficients.second_order = std::move(energy);
+    m_coefficients.constraints_of_second_order = needed_constraints;
     m_is_analyzed = m_is_factorized = false;
   }
 

@@ -30,7 +30,8 @@ CGAL_GDP_INLINE Error_code Linear_system::factorize(Progress& progress)
 {
   if(m_is_factorized && (m_dofs.size() == 0 || m_solver->has_factor()))
     return ok;
-  if(has_floating_component(mesh, m_coefficients.weights, has_second_order(), is_constrained))
+  if(has_floating_component(mesh, m_coefficients.weights,
+                            has_second_order() ? m_coefficients.constraints_of_second_order : 0, is_constrained))
     return error_unconstrained;
   if(const Error_code code = analyze(progress))
     return code;

@@ -177,9 +177,12 @@ private:
     }
     if(const Error_code code = fill_gaps(fresh))
       return code;
+    std::vector<std::pair<int, int> > wanted; // before any of them finds something
+    for(const Slice* slice : fresh)
+      wanted.push_back(wanted_at(*slice, outer));
     for_each(fresh, [&](Slice& slice) {
-      const std::pair<int, int> wanted = wanted_at(slice, outer);
-      slice.spectrum.find(wanted.first, wanted.second);
+      const auto& of_slice = wanted[std::size_t(std::find(fresh.begin(), fresh.end(), &slice) - fresh.begin())];
+      slice.spectrum.find(of_slice.first, of_slice.second);
     });
     return join();
   }
@@ -372,17 +375,13 @@ private:
     }
     take_what_is_done();
     std::vector<double> all = values();
-    std::vector<int> order(all.size());
-    for(std::size_t i = 0; i < order.size(); ++i)
-      order[i] = int(i);
-    std::sort(order.begin(), order.end(), [&](int i, int j) {
-      return std::make_pair(std::abs(all[std::size_t(i)] - m_sigma), i)
-             < std::make_pair(std::abs(all[std::size_t(j)] - m_sigma), j);
-    });
-    const int first = *std::min_element(order.begin(), order.begin() + count);
+    std::size_t first = 0;
+    while(first + std::size_t(count) < all.size()
+          && all[first + std::size_t(count)] - m_sigma < m_sigma - all[first])
+      ++first;
     result.values = Eigen::Map<const Eigen::VectorXd>(all.data() + first, count);
     result.vectors.resize(m_size, count);
-    int at = -first, begin_of_last = 0;
+    int at = -int(first), begin_of_last = 0;
     for(const Slice_handle& slice : m_slices)
     {
       const int size = int(slice->vectors.cols());
