@@ -26,7 +26,8 @@ namespace Gradient_domain_processing {
  * \ingroup PkgGradientDomainProcessingEnums
  *
  * How the coefficients of a `Spectral_filter::windowed_low_pass()` decay. The first names are the steeper ones, the
- * last lets the least pass of what is to be stopped (at degree 40: 0.2 %, 0.3 %, 0.02 %, and 0.001 %).
+ * last lets the least pass of what is to be stopped: at degree 40 and wavelengths 1.5 times beyond the cut-off 0.2 %,
+ * 0.04 %, 0.01 %, and 0.0003 %.
  */
 enum class Spectral_window
 {
