@@ -47,7 +47,8 @@ Sparse diagonal(const Eigen::VectorXd& values)
   return matrix;
 }
 
-void check_pairs(const Sparse& a, const Sparse& b, const Eigenpairs& pairs, double tolerance, double of_products = 1e-11)
+void check_pairs(const Sparse& a, const Sparse& b, const Eigenpairs& pairs, double tolerance,
+                 double of_products = 1e-11)
 {
   const Eigen::MatrixXd residual = a * pairs.vectors - b * pairs.vectors * pairs.values.asDiagonal();
   GDP_CHECK_NEAR(residual.cwiseAbs().maxCoeff(), 0, tolerance);

@@ -96,11 +96,11 @@ Error_code spectrum_of_surface(const Surface& surface, int count, Eigen::VectorX
  *   \cgalParamNEnd
  *   \cgalParamNBegin{embedding_measure}
  *     \cgalParamDescription{whether areas are those of the embedding, in \f$ M \f$ and in \f$ S \f$, and
- *                           `face_metric_map` tells only how long gradients are: \f$ S_f = A_f G^T g^{-1} G \f$. A metric
- *                           \f$ s_i \f$ along the principal directions then is a conductance \f$ D = diag(1 / s_1,
- *                           1 / s_2) \f$, as in the anisotropic Laplacian \f$ div (D \nabla) \f$ of Andreux et al. 2014,
- *                           where \f$ s_i = 1 + a |\kappa_i| \f$; a metric alone has \f$ \det D = 1 \f$ in two
- *                           dimensions and cannot slow waves down in all directions without more area.}
+ *                           `face_metric_map` tells only how long gradients are: \f$ S_f = A_f G^T g^{-1} G \f$.
+ *                           Stretches \f$ s_i \f$ along the principal directions then are a conductance \f$ D =
+ *                           diag(1 / s_1, 1 / s_2) \f$, as in the anisotropic Laplacian \f$ div (D \nabla) \f$ of
+ *                           Andreux et al. 2014, where \f$ s_i = 1 + a |\kappa_i| \f$; a metric alone has \f$ \det D
+ *                           = 1 \f$ in two dimensions, and slows waves down by more area instead}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`false`}
  *   \cgalParamNEnd

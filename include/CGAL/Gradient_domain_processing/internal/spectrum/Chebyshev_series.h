@@ -23,9 +23,9 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// A function of mu from 0 to infinity as a series of Chebyshev polynomials in t = (mu - center) / (mu + center), which is
-// between -1 and 1: a rational function whose only pole is -center, as often as its degree. Waves far from the center
-// are seen less sharply, those up to n times as long or as short still at degree n.
+// A function of mu from 0 to infinity as a series of Chebyshev polynomials in t = (mu - center) / (mu + center), which
+// is between -1 and 1: a rational function whose only pole is -center, as often as its degree. Waves far from the
+// center are seen less sharply, those up to n times as long or as short still at degree n.
 class Chebyshev_series
 {
   double m_center = 1;

@@ -33,9 +33,9 @@ namespace Gradient_domain_processing {
 namespace internal {
 
 // The eigenpairs of A x = lambda B x nearest to a shift, with symmetric A, bounded from below, and positive definite B,
-// slice by slice after Vallet and Levy 2008: those around a shift, then shifts farther away on both sides, two at a time
-// on two threads. How many eigenvalues are between two shifts is known from their factors; what the two slices find
-// has to add up to it, and to agree where both know an eigenvalue: none of a multiple one is missed.
+// slice by slice after Vallet and Levy 2008: those around a shift, then shifts farther away on both sides, two at a
+// time on two threads. How many eigenvalues are between two shifts is known from their factors; what the two slices
+// find has to add up to it, and to agree where both know an eigenvalue: none of a multiple one is missed.
 class Nearest_eigenpairs
 {
   static constexpr int slice_size = 60; // eigenvalues from shift to shift
@@ -318,7 +318,10 @@ private:
     const double width = right.sigma() - left.sigma();
     // the k-th between the two, as either knows it
     const auto of_left = [&](int k) { return k <= known_left ? left.on_right(k) : HUGE_VAL; };
-    const auto of_right = [&](int k) { return number - k + 1 <= known_right ? right.on_left(number - k + 1) : -HUGE_VAL; };
+    const auto of_right = [&](int k) {
+      const int from_right = number - k + 1;
+      return from_right <= known_right ? right.on_left(from_right) : -HUGE_VAL;
+    };
     if(number == 0)
       return 0;
     int best = -1;
@@ -422,11 +425,12 @@ private:
       return {slice.sigma() + side * (known.back() + (std::max)(1e-6 * std::abs(slice.sigma()), m_spacing))};
     if(size > missing)
     {
+      const auto gap = [&](int i) { return known[std::size_t(i)] - known[std::size_t(i) - 1]; };
       int widest = missing + 1;
       for(int i = widest; i <= size; ++i)
-        if(known[std::size_t(i)] - known[std::size_t(i) - 1] > known[std::size_t(widest)] - known[std::size_t(widest) - 1])
+        if(gap(i) > gap(widest))
           widest = i;
-      if(known[std::size_t(widest)] - known[std::size_t(widest) - 1] > 1e-6 * (std::abs(slice.sigma()) + known.back()))
+      if(gap(widest) > 1e-6 * (std::abs(slice.sigma()) + known.back()))
         return {slice.sigma() + side * (known[std::size_t(widest)] + known[std::size_t(widest) - 1]) / 2};
     }
     const int back = (std::min)(slice_size / 2, size);
