@@ -50,14 +50,20 @@ public:
   // of neighbors
   double correlation() const
   {
-    double squares = 0, products = 0;
-    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
-    {
-      squares += m_heights[v] * m_heights[v];
-      for(const int* w = m_rings.begin(v); w != m_rings.end(v); ++w)
-        products += m_heights[v] * m_heights[*w] / m_rings.size(v);
-    }
-    return squares > 0 ? products / squares : 0;
+    typedef Eigen::Vector2d Sums; // of squares and products
+    const std::size_t n = m_heights.size();
+    const Sums sums = sum_over_blocks(m_parallel, n, 4096, Sums(0, 0), [&](std::size_t begin, std::size_t end) {
+      Sums part(0, 0);
+      for(std::size_t v = begin; v < end; ++v)
+      {
+        double around = 0;
+        for(const int* w = m_rings.begin(int(v)); w != m_rings.end(int(v)); ++w)
+          around += m_heights[*w] / m_rings.size(int(v));
+        part += m_heights[v] * Sums(m_heights[v], around);
+      }
+      return part;
+    });
+    return sums[0] > 0 ? sums[1] / sums[0] : 0;
   }
 
   // may_move(v); the measured heights are used up.

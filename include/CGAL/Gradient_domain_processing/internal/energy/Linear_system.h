@@ -22,6 +22,7 @@
 #include <CGAL/Gradient_domain_processing/internal/mesh/Indexed_triangles.h>
 #include <CGAL/Gradient_domain_processing/internal/metric/Triangle_metrics.h>
 
+#include <cstddef>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -126,6 +127,9 @@ private:
   template <class Target_field>
   Error_code solve_as_it_is(const Target_field& target, Progress& progress, Signal& displacement,
                             bool displaces_constraints);
+
+  // Of one matrix and one solution: what comes after is not known here.
+  Solver_task solver_task(std::size_t number_of_unknowns) const;
 
   bool has_virtual_vertices() const { return mesh.virtual_vertices.size() > 0; }
   bool has_second_order() const { return bool(m_coefficients.second_order); }

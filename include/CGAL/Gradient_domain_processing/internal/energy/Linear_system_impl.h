@@ -20,7 +20,11 @@
 #include <CGAL/Gradient_domain_processing/internal/energy/right_hand_side.h>
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/ordering/elimination_order.h>
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/turn_to_cholesky.h>
+#include <CGAL/Gradient_domain_processing/internal/parallel/number_of_threads.h>
 #include <CGAL/Gradient_domain_processing/internal/separate_compilation.h>
+
+#include <algorithm>
+#include <cstddef>
 
 namespace CGAL {
 namespace Gradient_domain_processing {
@@ -95,6 +99,20 @@ Error_code Linear_system::solve(const Target_field& target, Progress& progress, 
   return solve_as_it_is(target, progress, displacement, displaces_constraints);
 }
 
+CGAL_GDP_INLINE Solver_task Linear_system::solver_task(std::size_t number_of_unknowns) const
+{
+  const Energy_weights& weights = m_coefficients.weights;
+  const bool is_known = weights.value_at_vertex.empty() && weights.gradient_at_triangle.empty() && weights.value > 0;
+  Solver_task task;
+  task.unknowns = number_of_unknowns;
+  // where it is not known, one that is large
+  task.gradient_weight = is_known ? weights.gradient / (weights.value * mesh.area(parallel)) : 1;
+  task.has_metric = !m_coefficients.metrics.given.empty();
+  task.is_of_second_order = has_second_order();
+  task.cores = number_of_threads(parallel);
+  return task;
+}
+
 CGAL_GDP_INLINE Error_code Linear_system::analyze(Progress& progress)
 {
   if(m_is_analyzed)
@@ -112,7 +130,8 @@ CGAL_GDP_INLINE Error_code Linear_system::analyze(Progress& progress)
   for(int v = 0; v < mesh.number_of_vertices(); ++v)
     is_free[v] = !is_constrained[v] && mesh.corners.size(v) > 0 && v < mesh.first_virtual_vertex();
   bool is_cancelled = false;
-  if(m_solver->needs_order)
+  m_solver->prepare(solver_task(std::size_t(std::count(is_free.begin(), is_free.end(), 1))));
+  if(m_solver->needs_order())
     m_dofs = elimination_order(mesh.points, neighbors(), is_free, parallel,
                                [&] { return !(is_cancelled = !progress.go_on()); });
   else
@@ -121,7 +140,8 @@ CGAL_GDP_INLINE Error_code Linear_system::analyze(Progress& progress)
     return error_cancelled;
   if(has_virtual_vertices())
     m_dofs_with_virtual_vertices = with_virtual_vertices(m_dofs, mesh);
-  m_pattern = sparsity_pattern(rings, assembled_dofs(), m_solver->reads_lower_triangle && !has_own_pattern(), parallel);
+  const bool is_lower = m_solver->reads_lower_triangle() && !has_own_pattern();
+  m_pattern = sparsity_pattern(rings, assembled_dofs(), is_lower, parallel);
   Error_code code = ok;
   if(has_virtual_vertices())
     m_prolongation = prolongation(m_dofs, mesh);
@@ -153,7 +173,7 @@ CGAL_GDP_INLINE void Linear_system::assemble_into(Sparse_matrix& matrix)
     for(int j = 0; j < int(matrix.cols()); ++j)
       if(double& diagonal = matrix.coeffRef(j, j); diagonal == 0)
         diagonal = 1; // what nothing acts on stays where it is
-  if(has_own_pattern() && m_solver->reads_lower_triangle)
+  if(has_own_pattern() && m_solver->reads_lower_triangle())
     matrix = Sparse_matrix(matrix.triangularView<Eigen::Lower>());
 }
 
@@ -168,7 +188,7 @@ CGAL_GDP_INLINE Error_code Linear_system::factorize_or_shift(Sparse_matrix& matr
   const auto go_on = [&] { return progress.go_on(); };
   m_unshifted = Sparse_matrix();
   Error_code code = m_solver->factorize(matrix, go_on);
-  if(code == ok || code == error_cancelled || m_solver->is_iterative)
+  if(code == ok || code == error_cancelled || m_solver->is_iterative())
     return code;
   m_unshifted = matrix;
   for(int j = 0; j < m_dofs.size(); ++j)
@@ -255,7 +275,7 @@ CGAL_GDP_INLINE Error_code Linear_system::solve_refined(Eigen::MatrixXd& values,
 
 CGAL_GDP_INLINE Eigen::MatrixXd Linear_system::multiply(const Eigen::MatrixXd& x) const
 {
-  if(m_solver->reads_lower_triangle)
+  if(m_solver->reads_lower_triangle())
     return m_unshifted.selfadjointView<Eigen::Lower>() * x;
   return m_unshifted * x;
 }

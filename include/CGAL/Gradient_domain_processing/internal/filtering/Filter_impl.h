@@ -19,6 +19,7 @@
 #include <CGAL/Gradient_domain_processing/internal/energy/border_energy_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/target_field/Scaled_gradient.h>
 #include <CGAL/Gradient_domain_processing/internal/higher_order/hessian_energy.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/is_oriented.h>
 #include <CGAL/Gradient_domain_processing/internal/separate_compilation.h>
 
 #ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
@@ -100,7 +101,7 @@ CGAL_GDP_INLINE bool Filter::encloses_volume() const
   for(int v = 0; v < mesh().number_of_vertices(); ++v)
     if(mesh().is_on_border[v])
       return false;
-  return std::find(is_held.begin(), is_held.end(), 1) == is_held.end();
+  return std::find(is_held.begin(), is_held.end(), 1) == is_held.end() && is_oriented(mesh());
 }
 
 CGAL_GDP_INLINE Error_code Filter::set_curvature_metric(const std::vector<Principal_curvatures>& curvatures,

@@ -27,7 +27,7 @@ inline bool turn_to_cholesky(int number_of_degrees_of_freedom, Progress& progres
                              std::unique_ptr<Any_linear_solver>& solver)
 {
   constexpr int largest = 1000000; // where there are more, memory may be why no Cholesky was asked for
-  if(!solver->is_iterative || number_of_degrees_of_freedom > largest)
+  if(!solver->is_iterative() || number_of_degrees_of_freedom > largest)
     return false;
   solver = any_linear_solver(Default_sparse_linear_solver());
   progress.notice("the iterative solver did not converge; the system is solved by Cholesky factorization");

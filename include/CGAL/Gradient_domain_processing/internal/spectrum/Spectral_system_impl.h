@@ -18,8 +18,10 @@
 #include <CGAL/Gradient_domain_processing/internal/higher_order/bilaplacian.h>
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/ordering/elimination_order.h>
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/turn_to_cholesky.h>
+#include <CGAL/Gradient_domain_processing/internal/parallel/number_of_threads.h>
 #include <CGAL/Gradient_domain_processing/internal/separate_compilation.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
@@ -40,6 +42,11 @@ CGAL_GDP_INLINE Error_code Spectral_system::assemble_matrices(const Indexed_tria
   std::vector<char> is_free(mesh.points.size());
   for(int v = 0; v < mesh.number_of_vertices(); ++v)
     is_free[v] = !is_constrained[v] && masses[std::size_t(v)] > 0 && v < mesh.first_virtual_vertex();
+  Solver_task task;
+  task.unknowns = std::size_t(std::count(is_free.begin(), is_free.end(), 1));
+  task.solutions_of_each = 50;
+  task.cores = number_of_threads(m_parallel);
+  m_solver->prepare(task);
   bool is_cancelled = false;
   m_dofs = elimination_order(mesh.points, has_virtual_vertices ? rings_of_polygons(rings, mesh) : rings, is_free,
                              m_parallel, [&] { return !(is_cancelled = !progress.go_on()); });
@@ -96,7 +103,7 @@ CGAL_GDP_INLINE Error_code Spectral_system::factorize(double center, Progress& p
     return error_cancelled;
   Stage_scope stage(progress, Stage::FACTOR);
   Sparse_matrix matrix;
-  if(m_solver->reads_lower_triangle)
+  if(m_solver->reads_lower_triangle())
     matrix = m_stiffness.triangularView<Eigen::Lower>();
   else
     matrix = m_stiffness;
