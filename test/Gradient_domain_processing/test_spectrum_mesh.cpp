@@ -282,8 +282,9 @@ void test_embedding_measure()
   auto metrics = mesh.add_property_map<Face, GDP::Triangle_metric>("f:metric").first;
   for(Face f : mesh.faces())
   {
+    const auto h = mesh.halfedge(f); // a metric's corners begin with its source
     std::vector<Vec> p;
-    for(Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
+    for(Vertex v : {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))})
       p.emplace_back(mesh.point(v).x(), mesh.point(v).y(), 0);
     const double stretch = (p[0] + p[1] + p[2]).x() < 1.5 ? 1 : 4;
     metrics[f] = GDP::Triangle_metric::stretched(p[0], p[1], p[2], stretch, Vec::UnitX(), 1, Vec::UnitY());
