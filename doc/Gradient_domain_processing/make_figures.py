@@ -476,8 +476,7 @@ class Figures:
         for name, label in (("embedding", "embedding"), ("edge_aware", "edge-aware metric"), ("anisotropic", "anisotropic conductance")):
             values = result.properties[name]
             values = values * np.sign(values[np.argmax(np.abs(values))])
-            waves = np.sin(4 * np.pi * values / np.abs(values).max()) * 0.25 + 0.75 * values / np.abs(values).max()
-            panels.append(render(mesh, view, mesh, (400, 360), label, diverging(waves)))
+            panels.append(render(mesh, view, mesh, (400, 360), label, diverging(1.3 * values / np.abs(values).max())))
         self.save("harmonics", [panels])
 
     def border_isolines(self):
