@@ -41,7 +41,7 @@ struct Eigenpairs
 // is made orthogonal to all before.
 class Block_lanczos
 {
-  static constexpr int block_size = 4; // as many as CHOLMOD solves for at a time
+  static constexpr int block_size = 2;
 
   const Eigen::SparseMatrix<double>& m_b;
   const Shifted_factor& m_factor;
