@@ -19,6 +19,7 @@
 #include <CGAL/Gradient_domain_processing/internal/energy/recenter.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/right_hand_side.h>
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/ordering/elimination_order.h>
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/turn_to_cholesky.h>
 #include <CGAL/Gradient_domain_processing/internal/parallel/number_of_threads.h>
 #include <CGAL/Gradient_domain_processing/internal/separate_compilation.h>
 
@@ -33,7 +34,8 @@ CGAL_GDP_INLINE Error_code Linear_system::factorize(Progress& progress)
 {
   if(m_is_factorized && (m_dofs.size() == 0 || m_solver->has_factor()))
     return ok;
-  if(has_floating_component(mesh, m_coefficients.weights, has_second_order(), is_constrained))
+  if(has_floating_component(mesh, m_coefficients.weights,
+                            has_second_order() ? m_coefficients.constraints_of_second_order : 0, is_constrained))
     return error_unconstrained;
   if(const Error_code code = analyze(progress))
     return code;
@@ -91,21 +93,10 @@ Error_code Linear_system::solve(const Target_field& target, Progress& progress, 
                                 bool displaces_constraints)
 {
   const Error_code code = solve_as_it_is(target, progress, displacement, displaces_constraints);
-  if(code != error_not_converged || !turn_to_cholesky(progress))
+  if(code != error_not_converged || !turn_to_cholesky(m_dofs.size(), progress, m_solver))
     return code;
-  return solve_as_it_is(target, progress, displacement, displaces_constraints);
-}
-
-CGAL_GDP_INLINE bool Linear_system::turn_to_cholesky(Progress& progress)
-{
-  // degrees of freedom; where there are more, memory may be why no Cholesky was asked for
-  constexpr int largest = 1000000;
-  if(!m_solver->is_iterative() || m_dofs.size() > largest)
-    return false;
-  m_solver = any_linear_solver(Default_sparse_linear_solver());
   m_is_analyzed = m_is_factorized = false;
-  progress.notice("the iterative solver did not converge; the system is solved by Cholesky factorization");
-  return true;
+  return solve_as_it_is(target, progress, displacement, displaces_constraints);
 }
 
 CGAL_GDP_INLINE Solver_task Linear_system::solver_task(std::size_t number_of_unknowns) const
@@ -170,7 +161,7 @@ CGAL_GDP_INLINE void Linear_system::assemble_into(Sparse_matrix& matrix)
   if(matrix.rows() == 0)
     set_pattern(m_pattern, parallel, matrix);
   m_values_weigh_little = assemble(mesh, m_coefficients.metrics, m_coefficients.weights, assembled_dofs(), parallel,
-                                   matrix, !has_second_order());
+                                   matrix, !has_own_pattern());
   if(has_second_order())
   {
     m_second_order = m_coefficients.second_order(mesh, m_coefficients.metrics, parallel);
@@ -178,6 +169,10 @@ CGAL_GDP_INLINE void Linear_system::assemble_into(Sparse_matrix& matrix)
   }
   if(has_virtual_vertices())
     matrix = Sparse_matrix(m_prolongation.transpose() * Sparse_matrix(matrix * m_prolongation));
+  if(has_own_pattern())
+    for(int j = 0; j < int(matrix.cols()); ++j)
+      if(double& diagonal = matrix.coeffRef(j, j); diagonal == 0)
+        diagonal = 1; // what nothing acts on stays where it is
   if(has_own_pattern() && m_solver->reads_lower_triangle())
     matrix = Sparse_matrix(matrix.triangularView<Eigen::Lower>());
 }

@@ -72,6 +72,18 @@ CGAL_GDP_INLINE void Filter::hold(Border_condition condition, const std::vector<
     }
 }
 
+// As many vertices as there are functions on a plane that cost nothing; linear ones, and for the trace-free energy
+// x^2 + y^2.
+CGAL_GDP_INLINE int needed_constraints(Hessian_kind kind)
+{
+  switch(kind)
+  {
+    case Hessian_kind::BILAPLACIAN: return 1;
+    case Hessian_kind::TRACE_FREE_HESSIAN: return 4;
+    default: return 3;
+  }
+}
+
 CGAL_GDP_INLINE void Filter::set_second_order(double weight, Hessian_kind kind)
 {
   if(weight == 0)
@@ -80,7 +92,8 @@ CGAL_GDP_INLINE void Filter::set_second_order(double weight, Hessian_kind kind)
     system.set_second_order(
       [weight, kind](const Indexed_triangles& triangles, const Triangle_metrics& metrics, bool parallel) {
         return Sparse_matrix(weight * hessian_energy(triangles, metrics, kind, parallel));
-      });
+      },
+      needed_constraints(kind));
 }
 
 CGAL_GDP_INLINE bool Filter::encloses_volume() const
