@@ -286,12 +286,12 @@ class Workshop:
     def source_key(self, path):
         """A hash of a source and what it includes of the test folder."""
         text = path.read_text()
-        included = [TESTS / n for n in re.findall(r'#include "(\w+\.h)"', text)]
+        included = [self.test / n for n in re.findall(r'#include "(\w+\.h)"', text)]
         return hashlib.sha256((text + "".join(self.source_key(p) for p in included)).encode()).hexdigest()
 
     def build(self, test, is_separate):
         """Compiles a test and runs it without a mutation, unless it is known."""
-        key = self.source_key(TESTS / f"{test}.cpp")
+        key = self.source_key(self.test / f"{test}.cpp")
         if self.state["objects"].get(test) == key:
             return
         start = time.monotonic()
@@ -318,9 +318,9 @@ class Workshop:
         except subprocess.TimeoutExpired:
             return False
 
-    def judge(self, mutants):
+    def judge(self, mutants, most_seconds):
         killed, asked, seconds = self.state["killed"], self.state["asked"], self.state["seconds"]
-        for test in sorted(seconds, key=seconds.get):
+        for test in sorted((t for t in seconds if seconds[t] <= most_seconds), key=seconds.get):
             key = f"{test} {self.state['objects'][test]}"
             reached = set(self.state["reached"][test])
             todo = [i for i in mutants if i in reached and str(i) not in killed and key not in asked.get(str(i), [])]
@@ -333,6 +333,10 @@ class Workshop:
             if todo:
                 print(f"{test}: asked about {len(todo)}, kills {sum(killed.get(str(i)) == test for i in todo)}, "
                       f"{sum(str(i) not in killed for i in mutants)} alive", flush=True)
+
+    def sample(self, arguments):
+        made = [i for i in range(len(self.held)) if str(i) not in self.state["dropped"]]
+        return made[arguments.first:arguments.first + arguments.number if arguments.number else None]
 
     def described(self, i):
         m = self.held[i]
@@ -379,10 +383,9 @@ def main():
     header_only = re.search(r"HEADER_ONLY ([^)]*?)\n", (TESTS / "CMakeLists.txt").read_text())[1]
     for test in arguments.tests or sorted({p.stem for p in TESTS.glob("test_*.cpp")} - NEVER):
         workshop.build(test, f"{test}.cpp" not in header_only)
-    made = [i for i in range(len(workshop.held)) if str(i) not in workshop.state["dropped"]]
-    mutants = made[arguments.first:arguments.first + arguments.number if arguments.number else None]
-    workshop.judge(mutants)
-    report(workshop, mutants)
+        workshop.judge(workshop.sample(arguments), 2) # the quick ones at once: results come early
+    workshop.judge(workshop.sample(arguments), 1e9)
+    report(workshop, workshop.sample(arguments))
 
 
 if __name__ == "__main__":
