@@ -421,7 +421,7 @@ struct Known
     GDP_CHECK_NEAR(noise.border_level, border_level, 1e-5 * border_level);
     GDP_CHECK(int(result.summary.number_of_iterations) == passes);
     GDP_CHECK(int(result.summary.number_of_outliers) == outliers);
-    GDP_CHECK_NEAR(after, degrees, 5e-3 * degrees);
+    GDP_CHECK_NEAR(after, degrees, 1e-3 * degrees);
   }
 };
 
@@ -436,21 +436,25 @@ Shape with_spikes(Shape shape)
 
 void does_what_it_did()
 {
-  const Shape ball = sphere(24), table = jittered_square(24);
-  const Shape waves = ball.mapped([](const Vec& p) { return Vec(p * (1 + 0.03 * std::sin(14 * p[0]))); });
+  // no choice of a diagonal hangs on rounding
+  const Shape table = jittered_square(24), ring = grid(64, 32, [](double u, double v) {
+    const double radius = 2 + std::cos(2 * pi * v);
+    return Vec(radius * std::cos(2 * pi * u), radius * std::sin(2 * pi * u), std::sin(2 * pi * v));
+  }, true, true);
+  const Shape waves = ring.mapped([](const Vec& p) { return Vec(p * (1 + 0.02 * std::sin(8 * p[0]))); });
   const Shape noisy_inside = with_noise(table, 0.25).mapped([](const Vec& p) {
     const bool is_on_border = (std::min)({p[0], p[1], 1 - p[0], 1 - p[1]}) < 1e-9;
     return Vec(p[0], p[1], is_on_border ? 0.2 * p[2] : p[2]);
   });
   for(const Known& known : {
         Known{"box", box(), with_noise(box(), 0.2), 0.46137492, 0.97467943, 0.47877785, 1, 0, 20, 0, 1.1670646},
-        Known{"ball", ball, with_noise(ball, 0.15), 0.27602326, 0.9797959, 0.290633, 1, 0, 20, 0, 1.0502161},
-        Known{"heavy noise", ball, with_noise(ball, 0.6), 0.78122118, 1, 0.78856365, 1, 0, 20, 6, 2.1281332},
+        Known{"ring", ring, with_noise(ring, 0.15), 0.31515291, 0.9, 0.35870369, 1, 0, 9, 0, 2.9587097},
+        Known{"heavy noise", ring, with_noise(ring, 0.6), 0.88236935, 0.98994949, 0.89645723, 1, 0, 20, 4, 6.7850948},
         Known{"table", table, with_noise(table, 0.25), 0.56731228, 1, 0.57161457, 1.308991, 1, 8, 0, 2.0294611},
         Known{"still border", table, noisy_inside,
               0.53412083, 1, 0.53868827, 0.051968391, 0.80893672, 8, 0, 1.8922519},
-        Known{"waves", waves, with_noise(waves, 0.1), 0.16791491, 0.84261498, 0.21590105, 1, 0, 8, 0, 4.55179},
-        Known{"clean waves", waves, waves, 0, 0, 0.070345677, 1, 0, 0, 0, 0},
+        Known{"waves", waves, with_noise(waves, 0.1), 0.22626328, 0.84852814, 0.27912331, 1, 0, 8, 0, 5.8075376},
+        Known{"clean waves", waves, waves, 0, 0.37416574, 0.11415834, 1, 0, 0, 0, 0},
         Known{"correlated", box(), with_noise(box(), 0.25, 3), 0.15, 0, 0.21858712, 1, 0, 20, 0, 0.81695289},
         Known{"spikes", box(), with_spikes(with_noise(box(), 0.1)),
               0.24674784, 0.9591663, 0.2732798, 1, 0, 20, 10, 1.026297},
@@ -495,7 +499,8 @@ void knows_smooth_surfaces()
     return result;
   };
   GDP_CHECK(variation(0.1, 0.71).is_of_folded_surface() && !variation(0.1, 0.69).is_of_folded_surface());
-  GDP_CHECK(variation(0.1, 0.3).is_settled(variation(0.11, 0.3)) && !variation(0.1, 0.3).is_settled(variation(0.12, 0.3)));
+  GDP_CHECK(variation(0.1, 0.3).is_settled(variation(0.11, 0.3)));
+  GDP_CHECK(!variation(0.1, 0.3).is_settled(variation(0.12, 0.3)));
   GDP_CHECK(!variation(0.1, 0.3).is_settled(variation(0, 0.3)));
   GDP_CHECK(variation(0.17, 0.3).is_of_smooth_surface(variation(0.17, 0.31)));  // less detail
   GDP_CHECK(!variation(0.19, 0.3).is_of_smooth_surface(variation(0.19, 0.31))); // as much
@@ -510,6 +515,9 @@ void knows_smooth_surfaces()
 
 int main()
 {
+  tells_noise_from_detail();
+  knows_smooth_surfaces();
+  does_what_it_did();
   removes_noise_of_every_kind();
   removes_stairs();
   removes_spikes();
@@ -523,8 +531,5 @@ int main()
   takes_soups();
   does_not_depend_on_threads();
   can_be_cancelled();
-  does_what_it_did();
-  tells_noise_from_detail();
-  knows_smooth_surfaces();
   return GDP_TEST_RESULT();
 }
