@@ -11,8 +11,8 @@ changes there are in the headers (default: all of include/); a change that does 
 over and counted. Of the mutants that are held, --number are judged from --first on: so a build serves to sharpen the tests on one
 sample and to judge them by another, which is fresh.
 
-The scratch folder keeps what is known: called again, only tests that changed are compiled, and asked about the survivors. Where
-headers changed too, take a new one. The parts of internal/compiled/ and the tests need about an hour of one processor, and g++, the
+The scratch folder keeps what is known, and the headers as they were: called again, only tests that changed are compiled, and asked
+about the survivors. Where headers changed too, take a new one. The parts of internal/compiled/ and the tests need about an hour of one processor, and g++, the
 libraries of the tests, and 2 GB of memory. The tests that need the command line are not asked.
 """
 
@@ -153,7 +153,10 @@ class Workshop:
     def __init__(self, arguments):
         self.folder = pathlib.Path(arguments.scratch).resolve()
         self.include, self.test = self.folder / "include", self.folder / "test"
-        self.originals = {str(p.relative_to(ROOT / "include")): p.read_text() for p in sorted((ROOT / "include").rglob("*.h"))}
+        if not (self.folder / "originals").exists():
+            shutil.copytree(ROOT / "include", self.folder / "originals")
+        self.originals = {str(p.relative_to(self.folder / "originals")): p.read_text()
+                          for p in sorted((self.folder / "originals").rglob("*.h"))}
         names = [n for n in self.originals if "/compiled/" not in n and
                  (not arguments.headers or any(str(ROOT / "include" / n).startswith(str(pathlib.Path(h).resolve())) for h in arguments.headers))]
         self.order = [m for n in names for m in mutants_of(n, self.originals[n])]
@@ -180,7 +183,7 @@ class Workshop:
         if known.exists():
             state = json.loads(known.read_text())
             if state["key"] != self.state["key"]:
-                sys.exit("mutate.py: the scratch folder is of other headers or another sample")
+                sys.exit("mutate.py: the scratch folder is of another sample")
             self.state = state
         if (self.folder / "verdicts.json").exists():
             self.verdicts = json.loads((self.folder / "verdicts.json").read_text())
@@ -341,11 +344,11 @@ class Workshop:
             reached = set(self.state["reached"][test])
             todo = [i for i in mutants if i in reached and str(i) not in killed and key not in asked.get(str(i), [])]
             for i in todo:
-                if self.passes(test, {"GDP_MUTANT": str(i)}, int(10 + 10 * seconds[test])):
+                if self.passes(test, {"GDP_MUTANT": str(i)}, int(3 + 5 * seconds[test])):
                     asked.setdefault(str(i), []).append(key)
                 else:
                     killed[str(i)] = test
-            (self.folder / "verdicts.json").write_text(json.dumps(self.verdicts))
+                (self.folder / "verdicts.json").write_text(json.dumps(self.verdicts))
             if todo:
                 print(f"{test}: asked about {len(todo)}, kills {sum(killed.get(str(i)) == test for i in todo)}, "
                       f"{sum(str(i) not in killed for i in mutants)} alive", flush=True)
