@@ -360,11 +360,17 @@ void test_blame()
   p.mesh.point(v) = p.mesh.point(later) = Point(0, 1e151, 0);
   GDP_CHECK(solver().error() == GDP::ERROR_INVALID_POINT
             && visitor.takes(GDP::ERROR_INVALID_POINT, "vertex", {v, later}));
-  p.mesh.point(v) = p.mesh.point(later) = point;
+  p.mesh.point(v) = point;
+  GDP_CHECK(solver().error() == GDP::ERROR_INVALID_POINT
+            && visitor.takes(GDP::ERROR_INVALID_POINT, "vertex", {later}));
+  p.mesh.point(later) = point;
   const auto a = p.mesh.add_vertex(point), b = p.mesh.add_vertex(point), c = p.mesh.add_vertex(point),
              d = p.mesh.add_vertex(point);
   p.mesh.add_face(a, b, c, d); // a polygon shrunk to a point
   GDP_CHECK(solver().error() == GDP::OK);
+  p.mesh.point(d) = Point(0, nan_value, 0);
+  GDP_CHECK(solver().error() == GDP::ERROR_INVALID_POINT && visitor.takes(GDP::ERROR_INVALID_POINT, "vertex", {d}));
+  p.mesh.point(d) = point;
   p.check_untouched();
 }
 

@@ -489,10 +489,132 @@ void can_be_cancelled()
   }
 }
 
+// What earlier versions measured and did, within what compilers differ by: whoever changes it shall mean to.
+struct Known
+{
+  const char* name;
+  Shape clean, noisy;
+  double level, share, roughness, border_variance, border_level; // of the noise
+  int passes, outliers;
+  double degrees;
+
+  void check() const
+  {
+    const auto mesh = indexed(noisy);
+    const GDP::internal::Dual_graph dual(mesh, false);
+    const GDP::internal::Face_geometry faces(mesh, dual, noisy.points, false);
+    const auto noise = GDP::internal::estimate_noise(mesh, faces, dual, mesh.one_rings(false), false);
+    const Result result = denoised(noisy);
+    const double after = angle(clean, result.points);
+    std::cout.precision(8);
+    std::cout << name << ": " << result.summary.noise_level << ", " << result.summary.noise_share << ", "
+              << noise.roughness_level << ", " << noise.border_variance << ", " << noise.border_level << ", "
+              << result.summary.number_of_iterations << ", " << result.summary.number_of_outliers << ", " << after
+              << std::endl;
+    GDP_CHECK_NEAR(result.summary.noise_level, level, 1e-5 * level);
+    GDP_CHECK_NEAR(result.summary.noise_share, share, 1e-5 * share);
+    GDP_CHECK_NEAR(noise.roughness_level, roughness, 1e-5 * roughness);
+    GDP_CHECK_NEAR(noise.border_variance, border_variance, 1e-5 * border_variance);
+    GDP_CHECK_NEAR(noise.border_level, border_level, 1e-5 * border_level);
+    GDP_CHECK(int(result.summary.number_of_iterations) == passes);
+    GDP_CHECK(int(result.summary.number_of_outliers) == outliers);
+    GDP_CHECK_NEAR(after, degrees, 1e-3 * degrees);
+  }
+};
+
+Shape with_spikes(Shape shape)
+{
+  const Points n = vertex_normals(shape);
+  const double edge = edge_length(shape);
+  for(std::size_t v = 17; v < shape.points.size(); v += 97)
+    shape.points[v] += double(1 + v % 3) * edge * n[v];
+  return shape;
+}
+
+void does_what_it_did()
+{
+  // no choice of a diagonal hangs on rounding
+  const Shape table = jittered_square(24), ring = grid(64, 32, [](double u, double v) {
+    const double radius = 2 + std::cos(2 * pi * v);
+    return Vec(radius * std::cos(2 * pi * u), radius * std::sin(2 * pi * u), std::sin(2 * pi * v));
+  }, true, true);
+  const Shape waves = ring.mapped([](const Vec& p) { return Vec(p * (1 + 0.02 * std::sin(8 * p[0]))); });
+  const Shape noisy_inside = with_noise(table, 0.25).mapped([](const Vec& p) {
+    const bool is_on_border = (std::min)({p[0], p[1], 1 - p[0], 1 - p[1]}) < 1e-9;
+    return Vec(p[0], p[1], is_on_border ? 0.2 * p[2] : p[2]);
+  });
+  for(const Known& known : {
+        Known{"box", box(), with_noise(box(), 0.2), 0.46137492, 0.97467943, 0.47877785, 1, 0, 20, 0, 1.1670646},
+        Known{"ring", ring, with_noise(ring, 0.15), 0.31515291, 0.9, 0.35870369, 1, 0, 9, 0, 2.9587097},
+        Known{"heavy noise", ring, with_noise(ring, 0.6), 0.88236935, 0.98994949, 0.89645723, 1, 0, 20, 4, 6.7850948},
+        Known{"table", table, with_noise(table, 0.25), 0.56731228, 1, 0.57161457, 1.308991, 1, 8, 0, 2.0294611},
+        Known{"still border", table, noisy_inside,
+              0.53412083, 1, 0.53868827, 0.051968391, 0.80893672, 8, 0, 1.8922519},
+        Known{"waves", waves, with_noise(waves, 0.1), 0.22626328, 0.84852814, 0.27912331, 1, 0, 8, 0, 5.8075376},
+        Known{"clean waves", waves, waves, 0, 0.37416574, 0.11415834, 1, 0, 0, 0, 0},
+        Known{"correlated", box(), with_noise(box(), 0.25, 3), 0.15, 0, 0.21858712, 1, 0, 20, 0, 0.81695289},
+        Known{"spikes", box(), with_spikes(with_noise(box(), 0.1)),
+              0.24674784, 0.9591663, 0.2732798, 1, 0, 20, 10, 1.026297},
+      })
+    known.check();
+}
+
+// The formulas, by hand.
+void tells_noise_from_detail()
+{
+  using GDP::internal::noise_share;
+  GDP_CHECK_NEAR(noise_share(-0.17, 0.08), 1, 0.011);
+  GDP_CHECK(noise_share(0.5, std::pow(0.5, 1.4)) == 0 && noise_share(0.9, 0.9) == 0);
+  GDP_CHECK_NEAR(noise_share(0.5 * 0.5 - 0.17 * 0.5, 0.5 * std::pow(0.5, 1.4) + 0.08 * 0.5), 0.5, 0.011);
+  GDP_CHECK_NEAR(noise_share(0.8 * 0.6 - 0.17 * 0.2, 0.8 * std::pow(0.6, 1.4) + 0.08 * 0.2), 0.2, 0.011);
+  GDP_CHECK(noise_share(-0.9, 0.5) == GDP::internal::neither_noise_nor_detail);
+
+  GDP::internal::Pair_correlation pairs;
+  pairs.insert(3, 1);
+  GDP_CHECK_NEAR(pairs.of_means(), 0.6, 1e-12);
+  GDP_CHECK_NEAR(pairs.of_medians(), 0.6, 1e-12);
+  pairs.insert(1, -1);
+  pairs.insert(-2, -2); // differences 2, 2, 0, sums 4, 0, 4
+  GDP_CHECK_NEAR(pairs.of_means(), 0.6, 1e-12);
+  GDP_CHECK_NEAR(pairs.of_medians(), 0.6, 1e-12);
+  pairs.insert(5, -5);
+  GDP_CHECK_NEAR(pairs.of_means(), (64. - 196) / (64 + 196), 1e-12);
+
+  using GDP::internal::correlated_excess;
+  GDP_CHECK_NEAR(correlated_excess({{1, 0.7, 0.4, 0.2, 0.1}}), 0.7 - 0.8, 1e-12);
+  GDP_CHECK_NEAR(correlated_excess({{1, 0.7, 0.4, 0.2, 0.04}}), 0.7 - 1, 1e-12);
+  GDP_CHECK_NEAR(correlated_excess({{1, 0.7, 0.4, 0.2, -0.1}}), 0.7 - 0.4, 1e-12);
+  GDP_CHECK_NEAR(correlated_excess({{1, 0.7, -0.4, 0.2, 0.1}}), 0.7, 1e-12);
+}
+
+void knows_smooth_surfaces()
+{
+  const auto variation = [](double median, double root_mean_square) {
+    GDP::internal::Normal_variation result;
+    result.median = median;
+    result.root_mean_square = root_mean_square;
+    return result;
+  };
+  GDP_CHECK(variation(0.1, 0.71).is_of_folded_surface() && !variation(0.1, 0.69).is_of_folded_surface());
+  GDP_CHECK(variation(0.1, 0.3).is_settled(variation(0.11, 0.3)));
+  GDP_CHECK(!variation(0.1, 0.3).is_settled(variation(0.12, 0.3)));
+  GDP_CHECK(!variation(0.1, 0.3).is_settled(variation(0, 0.3)));
+  GDP_CHECK(variation(0.17, 0.3).is_of_smooth_surface(variation(0.17, 0.31)));  // less detail
+  GDP_CHECK(!variation(0.19, 0.3).is_of_smooth_surface(variation(0.19, 0.31))); // as much
+  GDP_CHECK(variation(0.19, 0.3).is_of_smooth_surface(variation(0.19, 0.29)));  // and facets
+  GDP_CHECK(!variation(0.17, 0.3).is_of_smooth_surface(variation(0.19, 0.31)) // goes on
+            && !variation(0.17, 0.3).is_of_smooth_surface(variation(0.17, 0.34)));
+  GDP_CHECK(!variation(0.065, 0.3).is_of_smooth_surface(variation(0.065, 0.31))); // flat pieces
+  GDP_CHECK(variation(0.067, 0.3).is_of_smooth_surface(variation(0.067, 0.31)));
+}
+
 } // namespace
 
 int main()
 {
+  tells_noise_from_detail();
+  knows_smooth_surfaces();
+  does_what_it_did();
   removes_noise_of_every_kind();
   removes_stairs();
   removes_spikes();

@@ -161,6 +161,16 @@ void test_constraints()
     if(is_free[v])
       highest = (std::max)(highest, bent.points[v].z());
   GDP_CHECK(same_bits(bent.points[87], before.points[87]) && highest > 0.1 && highest < 0.6);
+
+  // three vertices hold a plane, two of them do not
+  std::vector<char> few = all;
+  few[0] = few[12] = 0;
+  Arrays held = plane;
+  GDP_CHECK(fair_patch(held, few, GDP::Hessian_kind::SQUARED_HESSIAN, 3, 1e-4, true) == GDP::error_unconstrained);
+  few[160] = 0;
+  GDP_CHECK(fair_patch(held, few, GDP::Hessian_kind::SQUARED_HESSIAN, 3, 1e-4, true) == GDP::ok);
+  for(std::size_t v = 0; v < few.size(); ++v)
+    GDP_CHECK_NEAR((held.points[v] - plane.points[v]).norm(), 0, 1e-9);
 }
 
 // The patch and its surroundings alone count, wherever the rest of the mesh is.

@@ -287,8 +287,59 @@ void test_normals()
   GDP_CHECK(same_points(mesh, noisy));
 }
 
+void test_rotations()
+{
+  const Vec a = Vec(1, 2, 3).normalized(), b = Vec(-2, 1, 1).normalized(), axis = a.cross(b).normalized();
+  const auto check = [](const Vec& from, const Vec& to, const Vec& x, const Vec& expected) {
+    GDP_CHECK_NEAR((GDP::internal::rotated(from, to, x) - expected).norm(), 0, 1e-12);
+  };
+  check(a, b, a, b);
+  check(a, b, axis, axis);
+  check(a, b, axis.cross(a), axis.cross(b));
+  check(a, a, b, b);
+  check(a, -a, a, -a);
+}
+
+// The planes of single triangles, by the formula: how far the triangle is believed against its corners.
+void test_planes()
+{
+  using namespace GDP::internal;
+  Indexed_triangles mesh;
+  mesh.points = {Vec(0, 0, 0), Vec(1, 0, 0), Vec(0.2, 0.9, 0)};
+  mesh.triangles = {{{0, 1, 2}}};
+  mesh.index_corners();
+  for(double tilt : {0.02, 0.2, 0.6})
+    for(double wrong : {0., 0.01, 0.1})
+    {
+      const Vec has = Vec(tilt, -tilt / 2, 1).normalized();
+      Signal normals(3, 3), wanted(3, 3);
+      Vec wants(0, 0, 0);
+      double squares = 0;
+      for(int i = 0; i < 3; ++i)
+      {
+        normals.row(i) = has.transpose();
+        const Vec w = (has + wrong * Vec(i - 0.5, 1, 0.3 * i)).normalized();
+        wanted.row(i) = w.transpose();
+        wants += w;
+        squares += (w - has).squaredNorm() / 3;
+      }
+      wants.normalize();
+      const Vec up(0, 0, 1);
+      Eigen::Matrix3d turn = Eigen::Quaterniond::FromTwoVectors(has, wants).toRotationMatrix();
+      const double own = std::pow((up - has).norm(), 4), bound = std::pow(36 * squares, 2);
+      const Vec m = (own / (own + bound) * (turn * up) + bound / (own + bound) * wants).normalized();
+      const Normal_fit fit(mesh, normals, wanted, GDP::Normal_fit_kind::FACES);
+      const Vec edge = mesh.points[2] - mesh.points[1];
+      std::array<double, 3> along;
+      fit.residual(0, 1, 2, along);
+      GDP_CHECK_NEAR((Vec(along[0], along[1], along[2]) + m.dot(edge) * m).norm(), 0, 1e-10);
+    }
+}
+
 int main()
 {
+  test_rotations();
+  test_planes();
   test_recovery();
   test_arbitrary_fields();
   test_cloning();

@@ -245,7 +245,8 @@ void test_elements()
   }
   const auto empty_map = mesh.add_property_map<Vertex, std::size_t>("v:nothing", std::size_t(-1)).first;
   const auto constant_map = mesh.add_property_map<Vertex, std::size_t>("v:constant", std::size_t(3)).first;
-  for(const auto& map : {empty_map, constant_map})
+  const auto large_map = mesh.add_property_map<Vertex, std::size_t>("v:large", std::size_t(1) << 33).first;
+  for(const auto& map : {empty_map, constant_map, large_map}) // nothing of that size is allocated
     GDP_CHECK(GDP::smooth(mesh, GDP::parameters::vertex_index_map(map)) == GDP::error_invalid_index);
   GDP_CHECK(same_points(mesh, before));
 }

@@ -10,6 +10,8 @@
 #include "test_utils.h"
 
 #include <CGAL/Gradient_domain_processing/denoise.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/offset_to_volumes.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/polygon_fans.h>
 #include <CGAL/Gradient_domain_processing/smooth.h>
 
 #include <vector>
@@ -137,24 +139,64 @@ void test_meshes_without_volume()
     GDP_CHECK_NEAR((vec(with_vertex.point(v)) - vec(mesh.point(v))).norm(), 0, 1e-12);
   GDP_CHECK(with_vertex.point(Vertex(int(before.number_of_vertices()))) == Point(9, 9, 9));
 
-  // flat on both sides: closed, without volume, nothing to scale
-  Shape pillow = square(6), back = square(6);
-  for(auto& t : back.triangles)
-    std::swap(t[1], t[2]);
-  const auto is_rim = [](const Vec& p) { return p.x() == 0 || p.x() == 1 || p.y() == 0 || p.y() == 1; };
-  std::vector<int> number(back.points.size());
-  for(std::size_t i = 0; i < back.points.size(); ++i)
+  // a ring that is pressed flat: closed, without volume, nothing to scale
+  const Shape pressed = grid(24, 12, [](double u, double v) {
+    const double r = 1 + 0.4 * std::cos(2 * pi * v);
+    return Vec(r * std::cos(2 * pi * u), r * std::sin(2 * pi * u), 0);
+  }, true, true);
+  // and tilted: all its volume is rounding
+  for(const Vec& normal : {Vec(0, 0, 1), Vec(0.36, 0.48, 0.8), Vec(0.3, -0.5, 0.7).normalized()})
   {
-    number[i] = is_rim(back.points[i]) ? int(i) : int(pillow.points.size());
-    if(!is_rim(back.points[i]))
-      pillow.points.push_back(back.points[i]);
+    const auto turn = Eigen::Quaterniond::FromTwoVectors(Vec(0, 0, 1), normal);
+    Mesh flat = mesh_of(pressed.mapped([&](const Vec& p) { return Vec(turn * p); })), plain = flat;
+    GDP_CHECK(run(flat, true, 1e-3) == GDP::OK);
+    GDP_CHECK(run(plain, false, 1e-3) == GDP::OK);
+    for(Vertex v : flat.vertices())
+      GDP_CHECK_NEAR((vec(flat.point(v)) - vec(plain.point(v))).norm(), 0, 1e-12);
   }
-  for(const auto& t : back.triangles)
-    pillow.triangles.push_back({{number[t[0]], number[t[1]], number[t[2]]}});
-  Mesh flat = mesh_of(pillow);
-  const GDP::Error_code code = run(flat, true, 1e-3);
-  GDP_CHECK(code == GDP::OK || code == GDP::ERROR_NO_VOLUME);
-  GDP_CHECK(is_finite(flat));
+}
+
+// A cube of six squares, all planes of which moved inward alike, gets its planes back, and so do the virtual vertices
+// in their middles; one that would have to move too far stays as it is.
+void test_offsets()
+{
+  GDP::internal::Indexed_triangles mesh;
+  GDP::internal::Lists squares;
+  squares.offsets = {0};
+  for(int cube = 0; cube < 2; ++cube)
+  {
+    for(int i = 0; i < 8; ++i)
+      mesh.points.push_back(Vec(i & 1, i >> 1 & 1, i >> 2) + Vec(3 * cube, 0, 0));
+    for(const auto& square : {std::array<int, 4>{{0, 2, 3, 1}}, {{4, 5, 7, 6}}, {{0, 1, 5, 4}}, {{2, 6, 7, 3}},
+                              {{0, 4, 6, 2}}, {{1, 3, 7, 5}}})
+    {
+      for(int corner : square)
+        squares.items.push_back(8 * cube + corner);
+      squares.offsets.push_back(int(squares.items.size()));
+    }
+  }
+  GDP::internal::fan_polygons(squares, mesh);
+  mesh.index_corners();
+  GDP_CHECK(mesh.points.size() == 28 && mesh.triangles.size() == 48);
+  const std::vector<GDP::internal::Vec3> before = mesh.points;
+  std::vector<GDP::internal::Vec3> after;
+  for(const Vec& p : before)
+  {
+    const Vec center(p.x() < 2 ? 0.5 : 3.5, 0.5, 0.5);
+    after.push_back(center + (p.x() < 2 ? 0.9 : 0.3) * (p - center));
+  }
+  const auto moved = after;
+  GDP_CHECK(GDP::internal::offset_to_volumes(mesh, before, false, after) == 1);
+  for(std::size_t v = 0; v < before.size(); ++v)
+    GDP_CHECK_NEAR((after[v] - (before[v].x() < 2 ? before[v] : moved[v])).norm(), 0, 1e-12);
+}
+
+void test_polygon_area()
+{
+  const auto area = [](const std::vector<GDP::internal::Vec3>& polygon) { return GDP::internal::polygon_area(polygon); };
+  GDP_CHECK_NEAR(area({Vec(0, 0, 0), Vec(2, 0, 0), Vec(0, 3, 0)}), 3, 1e-12);
+  GDP_CHECK_NEAR(area({Vec(0, 0, 0), Vec(2, 0, 1), Vec(2, 3, 1), Vec(0, 3, 0)}), 3 * std::sqrt(5.), 1e-12);
+  GDP_CHECK_NEAR(area({Vec(0, 0, 0), Vec(2, 0, 0), Vec(2, 1, 0), Vec(1, 2, 0), Vec(0, 1, 0)}), 3, 1e-12);
 }
 
 // A closed soup encloses nothing that one could speak of where a triangle is the wrong way around, or a wall has rooms
@@ -210,5 +252,7 @@ int main()
   test_closed_meshes();
   test_meshes_without_volume();
   test_soups_without_orientation();
+  test_offsets();
+  test_polygon_area();
   return GDP_TEST_RESULT();
 }

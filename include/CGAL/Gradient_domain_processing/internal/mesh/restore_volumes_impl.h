@@ -31,6 +31,9 @@ CGAL_GDP_INLINE bool restore_volumes(const Indexed_triangles& mesh, const std::v
     double volume_before = 0, volume_after = 0, area_before = 0, area = 0;
     Vec3 moment = Vec3::Zero(), origin = Vec3::Zero();
     bool has_origin = false;
+
+    bool has_volume() const { return std::abs(volume_before) > 1e-9 * std::pow(area_before, 1.5); }
+    double ratio() const { return volume_before / volume_after; }
   };
   std::vector<Sums> sums(components.count);
   for(const auto& t : mesh.triangles)
@@ -54,17 +57,15 @@ CGAL_GDP_INLINE bool restore_volumes(const Indexed_triangles& mesh, const std::v
     s.moment += area / 3 * ((a - s.origin) + (b - s.origin) + (c - s.origin));
   }
   for(const Sums& s : sums)
-    if(std::abs(s.volume_before) > 1e-9 * std::pow(s.area_before, 1.5)
-       && !(s.volume_before / s.volume_after > 0 && std::isfinite(s.volume_before / s.volume_after) && s.area > 0))
+    if(s.has_volume() && !(s.ratio() > 0 && std::isfinite(s.ratio()) && s.area > 0))
       return false;
   for(int v = 0; v < mesh.number_of_vertices(); ++v)
   {
     const Sums& s = sums[components.of_vertex[v]];
-    const double ratio = s.volume_before / s.volume_after;
-    if(!(ratio > 0) || ratio == 1 || !std::isfinite(ratio) || !(s.area > 0))
+    if(!s.has_volume() || s.ratio() == 1)
       continue;
     const Vec3 centroid = s.origin + s.moment / s.area;
-    after[v] = centroid + std::cbrt(ratio) * (after[v] - centroid);
+    after[v] = centroid + std::cbrt(s.ratio()) * (after[v] - centroid);
   }
   return true;
 }
