@@ -83,7 +83,7 @@ private:
     Normal_filter filter_normals(m_mesh, m_dual, m_parallel);
     Position_fit fit_positions(m_mesh, m_rings, m_parallel);
     weigh_positions(fit_positions);
-    Removed_heights removed(m_mesh, m_rings, m_parallel);
+    Removed_heights removed(m_rings, m_parallel);
     Face_geometry faces(m_mesh, m_dual, points, m_parallel);
     Normal_variation variation;
     bool is_smooth = false;

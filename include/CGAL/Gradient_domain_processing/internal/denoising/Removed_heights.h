@@ -31,14 +31,13 @@ namespace internal {
 // - N / E) S r back.
 class Removed_heights
 {
-  const Indexed_triangles& m_mesh;
   const Lists& m_rings;
   bool m_parallel;
   std::vector<double> m_heights, m_energies, m_next;
 
 public:
-  Removed_heights(const Indexed_triangles& mesh, const Lists& rings, bool parallel)
-    : m_mesh(mesh), m_rings(rings), m_parallel(parallel), m_heights(mesh.points.size()), m_next(mesh.points.size())
+  Removed_heights(const Lists& rings, bool parallel)
+    : m_rings(rings), m_parallel(parallel), m_heights(std::size_t(rings.size())), m_next(m_heights.size())
   {}
 
   void measure(const std::vector<Vec3>& input, const std::vector<Vec3>& points, const std::vector<Vec3>& normals)
