@@ -397,7 +397,7 @@ void fairing_solves_its_system()
     (Eigen::MatrixXd::Identity(n, n) + bending).ldlt().solve(Eigen::MatrixXd(-bending * positions));
   const Points normals = mesh.vertex_normals(true);
   Points points = shape.points;
-  GDP::internal::Surface_fairing fairing(mesh, rings, 1, true);
+  const GDP::internal::Surface_fairing fairing(mesh, rings, GDP::internal::Dual_graph(mesh, true), 1, true);
   fairing([](int v) { return v != 7; }, normals, points);
   GDP_CHECK(points[7] == shape.points[7]);
   double largest = 0, error = 0;
@@ -417,13 +417,55 @@ void fairing_solves_its_system()
   const GDP::internal::Lists rings_of_cube = of_cube.one_rings(true);
   const GDP::internal::Dual_graph dual(of_cube, true);
   const GDP::internal::Face_geometry faces(of_cube, dual, cube.points, true);
-  GDP::internal::Surface_fairing all(of_cube, rings_of_cube, 1, true), flat = all;
-  flat.keep_creases(dual, faces.normals);
+  GDP::internal::Surface_fairing all(of_cube, rings_of_cube, dual, 1, true), flat = all;
+  flat.keep_creases(faces.normals);
   Points worn = cube.points, kept = cube.points;
   all([](int) { return true; }, of_cube.vertex_normals(true), worn);
   flat([](int) { return true; }, of_cube.vertex_normals(true), kept);
   GDP_CHECK(largest_shift(cube.points, worn) > 0.05 / 10);
   GDP_CHECK(largest_shift(cube.points, kept) < 0.02 * largest_shift(cube.points, worn));
+}
+
+// A wall on a floor: where three sheets meet, nothing is smooth.
+void fairing_keeps_lines()
+{
+  Shape shape = square(6);
+  const int n = int(shape.points.size());
+  std::vector<int> line, wall;
+  for(int v = 0; v < n; ++v)
+    if(std::abs(shape.points[v][0] - 0.5) < 1e-9)
+      line.push_back(v);
+  std::sort(line.begin(), line.end(), [&](int v, int w) { return shape.points[v][1] < shape.points[w][1]; });
+  for(int v : line)
+  {
+    wall.push_back(int(shape.points.size()));
+    shape.points.push_back(shape.points[v] + Vec(0, 0, 0.2));
+  }
+  for(std::size_t k = 0; k + 1 < line.size(); ++k)
+  {
+    shape.triangles.push_back({{line[k], line[k + 1], wall[k]}});
+    shape.triangles.push_back({{line[k + 1], wall[k + 1], wall[k]}});
+  }
+  const auto mesh = indexed(shape);
+  const GDP::internal::Lists rings = mesh.one_rings(true);
+  const GDP::internal::Dual_graph dual(mesh, true);
+  Points points = shape.points;
+  GDP::internal::Surface_fairing(mesh, rings, dual, 1, true)([](int) { return true; }, mesh.vertex_normals(true),
+                                                              points);
+  GDP_CHECK(line.size() == 7 && largest_shift(points, shape.points) < 1e-6);
+}
+
+// A part that is smaller than single precision can tell beside the whole.
+void does_not_depend_on_what_lies_far_away()
+{
+  const Shape noisy = with_noise(sphere(24), 0.2);
+  const Points alone = denoised(noisy).points;
+  const double scale = std::ldexp(1., -70);
+  Shape small = noisy.mapped([&](const Vec& p) { return Vec(scale * p); });
+  const Shape far = with_noise(sphere(24), 0.2).mapped([](const Vec& p) { return Vec(p + Vec(4, 0, 0)); });
+  const Points beside = denoised(small + far).points;
+  for(std::size_t v = 0; v < alone.size(); ++v)
+    GDP_CHECK(beside[v] == scale * alone[v]);
 }
 
 // Triangles of a polygon have its area vector, wherever it is not convex.
@@ -442,8 +484,12 @@ void cuts_polygons()
   }
   GDP_CHECK_NEAR(area, 1.2, 1e-12);
   triangles.clear();
-  GDP::internal::cut_ears({0, 1, 2, 4}, points, triangles); // the shorter diagonal would be as long: any two
+  const Points rhombus = {{-1, 0, 0}, {0, -2, 0}, {1, 0, 0}, {0, 2, 0}};
+  GDP::internal::cut_ears({0, 1, 2, 3}, rhombus, triangles);
   GDP_CHECK(triangles.size() == 2);
+  for(const auto& triangle : triangles) // by the shorter diagonal
+    GDP_CHECK(std::count(triangle.begin(), triangle.end(), 0) == 1
+              && std::count(triangle.begin(), triangle.end(), 2) == 1);
   triangles.clear();
   GDP::internal::cut_ears({0, 1, 1, 4}, points, triangles); // welded corners
   GDP_CHECK(triangles.size() == 1);
@@ -489,7 +535,8 @@ void can_be_cancelled()
   }
 }
 
-// What earlier versions measured and did, within what compilers differ by: whoever changes it shall mean to.
+// What was measured and done when this was written, within what compilers differ by, and how good it was then: whoever
+// changes it shall mean to.
 struct Known
 {
   const char* name;
@@ -511,14 +558,14 @@ struct Known
               << noise.roughness_level << ", " << noise.border_variance << ", " << noise.border_level << ", "
               << result.summary.number_of_iterations << ", " << result.summary.number_of_outliers << ", " << after
               << std::endl;
-    GDP_CHECK_NEAR(result.summary.noise_level, level, 1e-5 * level);
-    GDP_CHECK_NEAR(result.summary.noise_share, share, 1e-5 * share);
-    GDP_CHECK_NEAR(noise.roughness_level, roughness, 1e-5 * roughness);
-    GDP_CHECK_NEAR(noise.border_variance, border_variance, 1e-5 * border_variance);
-    GDP_CHECK_NEAR(noise.border_level, border_level, 1e-5 * border_level);
+    GDP_CHECK_NEAR(result.summary.noise_level, level, 1e-4 * level);
+    GDP_CHECK_NEAR(result.summary.noise_share, share, 1e-4 * share);
+    GDP_CHECK_NEAR(noise.roughness_level, roughness, 1e-4 * roughness);
+    GDP_CHECK_NEAR(noise.border_variance, border_variance, 1e-4 * border_variance);
+    GDP_CHECK_NEAR(noise.border_level, border_level, 1e-4 * border_level);
     GDP_CHECK(int(result.summary.number_of_iterations) == passes);
     GDP_CHECK(int(result.summary.number_of_outliers) == outliers);
-    GDP_CHECK_NEAR(after, degrees, 1e-3 * degrees);
+    GDP_CHECK(after <= 1.03 * degrees);
   }
 };
 
@@ -544,17 +591,17 @@ void does_what_it_did()
     return Vec(p[0], p[1], is_on_border ? 0.2 * p[2] : p[2]);
   });
   for(const Known& known : {
-        Known{"box", box(), with_noise(box(), 0.2), 0.46137492, 0.97467943, 0.47877785, 1, 0, 20, 0, 1.1670646},
-        Known{"ring", ring, with_noise(ring, 0.15), 0.31515291, 0.9, 0.35870369, 1, 0, 9, 0, 2.9587097},
-        Known{"heavy noise", ring, with_noise(ring, 0.6), 0.88236935, 0.98994949, 0.89645723, 1, 0, 20, 4, 6.7850948},
-        Known{"table", table, with_noise(table, 0.25), 0.56731228, 1, 0.57161457, 1.308991, 1, 8, 0, 2.0294611},
+        Known{"box", box(), with_noise(box(), 0.2), 0.46137492, 0.97467943, 0.47877785, 1, 0, 20, 0, 1.069},
+        Known{"ring", ring, with_noise(ring, 0.15), 0.31515291, 0.9, 0.35870369, 1, 0, 9, 0, 1.783},
+        Known{"heavy noise", ring, with_noise(ring, 0.6), 0.88236935, 0.98994949, 0.89645723, 1, 0, 14, 4, 3.16},
+        Known{"table", table, with_noise(table, 0.25), 0.56731228, 1, 0.57161457, 1.308991, 1, 10, 0, 1.806},
         Known{"still border", table, noisy_inside,
-              0.53412083, 1, 0.53868827, 0.051968391, 0.80893672, 8, 0, 1.8922519},
-        Known{"waves", waves, with_noise(waves, 0.1), 0.22626328, 0.84852814, 0.27912331, 1, 0, 8, 0, 5.8075376},
+              0.53412083, 1, 0.53868827, 0.051968391, 0.80893672, 10, 0, 1.653},
+        Known{"waves", waves, with_noise(waves, 0.1), 0.22626328, 0.84852814, 0.27912331, 1, 0, 8, 0, 5.446},
         Known{"clean waves", waves, waves, 0, 0.37416574, 0.11415834, 1, 0, 0, 0, 0},
-        Known{"correlated", box(), with_noise(box(), 0.25, 3), 0.15, 0, 0.21858712, 1, 0, 20, 0, 0.81695289},
+        Known{"correlated", box(), with_noise(box(), 0.25, 3), 0.15, 0, 0.21858712, 1, 0, 20, 0, 0.865},
         Known{"spikes", box(), with_spikes(with_noise(box(), 0.1)),
-              0.24674784, 0.9591663, 0.2732798, 1, 0, 20, 10, 1.026297},
+              0.24674784, 0.9591663, 0.2732798, 1, 0, 20, 10, 0.98},
       })
     known.check();
 }
@@ -629,6 +676,8 @@ int main()
   does_not_depend_on_threads();
   can_be_cancelled();
   fairing_solves_its_system();
+  fairing_keeps_lines();
+  does_not_depend_on_what_lies_far_away();
   cuts_polygons();
   borders_that_meet_stay();
   return GDP_TEST_RESULT();

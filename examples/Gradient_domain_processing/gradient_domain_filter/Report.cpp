@@ -259,7 +259,9 @@ std::vector<std::string> Report::remarks(const Options& o) const
   for(const std::string& remark : survey->remarks(o.weld_tolerance.has_value(), near_ones_are_welded, has_one_weight))
     remarks.push_back(remark);
   const bool is_everywhere = o.moves_vertices() && o.region_property.empty() && o.constrained_property.empty();
-  if(has_one_weight && !near_ones_are_welded && is_everywhere)
+  const auto free = CGAL::Gradient_domain_processing::Border_condition::FREE;
+  const bool nothing_else_holds = !o.max_displacement && o.border == free && o.non_manifold == free;
+  if(has_one_weight && !near_ones_are_welded && is_everywhere && nothing_else_holds)
     if(const std::string idle = idle_parts(*survey, displacement_of_part); !idle.empty())
       remarks.push_back(idle);
   const bool keeps_extent = o.operation != Operation::HIGH_PASS && o.operation != Operation::BAND_PASS

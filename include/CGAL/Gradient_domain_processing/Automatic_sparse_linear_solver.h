@@ -23,6 +23,11 @@
 #include <CGAL/Eigen_matrix.h>
 #include <CGAL/Eigen_vector.h>
 
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -40,7 +45,9 @@ namespace Gradient_domain_processing {
  * thousand vertices on.
  *
  * Where the iteration does not converge, functions of this package solve by Cholesky factorization, as with
- * `Conjugate_gradient_solver_traits`. Copies share nothing but the answer of `has_iterated()`.
+ * `Conjugate_gradient_solver_traits`. The choice is made when the pattern of the matrix is analyzed: for the weights
+ * and the metric of that time. As it depends on the machine and what else runs on it, so do the last bits of results.
+ * Copies share the answer of `has_iterated()`.
  *
  * \cgalModels{SparseLinearAlgebraWithFactorTraits_d}
  *
@@ -52,8 +59,9 @@ class Automatic_sparse_linear_solver
   double m_tolerance;
   int m_number_of_solutions;
   double m_memory;
-  std::shared_ptr<bool> m_has_iterated = std::make_shared<bool>(false);
-  std::shared_ptr<internal::Any_linear_solver> m_solver; // of factor()
+  std::shared_ptr<std::atomic<bool> > m_has_iterated = std::make_shared<std::atomic<bool> >(false);
+  std::shared_ptr<internal::Any_linear_solver> m_solver;                   // of factor()
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> m_order;  // likewise, where one is needed
 
 public:
   /// \name Types
@@ -78,7 +86,7 @@ public:
    * \param memory the bytes that a factor may take; 0 for those that are free when the choice is made
    */
   explicit Automatic_sparse_linear_solver(double tolerance = 1e-10, int number_of_solutions = 1, double memory = 0)
-    : m_tolerance(tolerance), m_number_of_solutions(number_of_solutions), m_memory(memory)
+    : m_tolerance(tolerance), m_number_of_solutions((std::max)(1, number_of_solutions)), m_memory(memory)
   {}
 
   /// @}
@@ -97,19 +105,25 @@ public:
     task.cores = internal::number_of_threads(true);
     D = 1;
     m_solver = choose(task);
-    const Eigen::SparseMatrix<double>& matrix = A.eigen_object();
+    m_order.setIdentity(A.row_dimension());
+    Eigen::SparseMatrix<double> matrix = A.eigen_object();
+    if(m_solver->needs_order())
+    {
+      Eigen::AMDOrdering<int>()(matrix.selfadjointView<Eigen::Lower>(), m_order);
+      matrix = Eigen::SparseMatrix<double>(matrix.twistedBy(m_order.inverse()));
+    }
     if(m_solver->reads_lower_triangle())
-      return factor(Eigen::SparseMatrix<double>(matrix.triangularView<Eigen::Lower>()));
-    return factor(matrix);
+      matrix = Eigen::SparseMatrix<double>(matrix.triangularView<Eigen::Lower>());
+    return m_solver->analyze(matrix) == ok && m_solver->factorize(matrix, {}) == ok;
   }
 
   /// solves \f$ A X = B \f$ with the matrix of the last `factor()`. Returns whether it succeeded.
   bool linear_solver(const Vector& B, Vector& X)
   {
     Eigen::MatrixXd solution;
-    if(!m_solver || m_solver->solve(Eigen::MatrixXd(B.eigen_object()), solution, {}) != ok)
+    if(!m_solver || m_solver->solve(Eigen::MatrixXd(m_order.inverse() * B.eigen_object()), solution, {}) != ok)
       return false;
-    X.eigen_object() = solution.col(0);
+    X.eigen_object() = m_order * solution.col(0);
     return true;
   }
 
@@ -125,18 +139,13 @@ public:
   std::unique_ptr<internal::Any_linear_solver> choose(internal::Solver_task task) const
   {
     task.solutions_of_each = m_number_of_solutions;
-    *m_has_iterated = internal::multigrid_pays(task, m_memory > 0 ? m_memory : internal::available_memory());
-    if(*m_has_iterated)
+    const bool iterates = internal::multigrid_pays(task, m_memory > 0 ? m_memory : internal::available_memory());
+    *m_has_iterated = iterates;
+    if(iterates)
       return internal::any_linear_solver(Conjugate_gradient_solver_traits<>(m_tolerance));
     return internal::any_linear_solver(Default_sparse_linear_solver());
   }
   /// \endcond
-
-private:
-  bool factor(const Eigen::SparseMatrix<double>& matrix)
-  {
-    return m_solver->analyze(matrix) == ok && m_solver->factorize(matrix, {}) == ok;
-  }
 };
 
 namespace internal {

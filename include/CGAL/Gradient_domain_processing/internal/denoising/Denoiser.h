@@ -121,8 +121,10 @@ private:
         weigh_positions(fit_positions);
       }
     }
-    if(passes > 0 && m_reach == 1 && m_summary.end != Denoising_end::detail)
-      fair(is_smooth || m_summary.end == Denoising_end::smooth_surface, faces, removed, points);
+    is_smooth = is_smooth || m_summary.end == Denoising_end::smooth_surface;
+    if(passes > 0 && m_reach == 1 && m_summary.end != Denoising_end::detail
+       && !fair(is_smooth, faces, removed, progress, points))
+      return error_cancelled;
     return ok;
   }
 
@@ -134,15 +136,20 @@ private:
     return !variation.is_of_folded_surface() && variation.is_of_smooth_surface(last);
   }
 
-  void fair(bool is_smooth, const Face_geometry& last_faces, Removed_heights& removed, std::vector<Vec3>& points) const
+  // False where it is cancelled.
+  bool fair(bool is_smooth, const Face_geometry& last_faces, Removed_heights& removed, Progress& progress,
+            std::vector<Vec3>& points) const
   {
     const double weight = m_options.value_weight.value_or(denoising::value_weight);
-    Surface_fairing fairing(m_mesh, m_rings, (std::min)(1., denoising::value_weight / weight), m_parallel);
+    const double share = (std::min)(1., denoising::value_weight / weight);
+    Surface_fairing fairing(m_mesh, m_rings, m_dual, share, m_parallel);
     if(!is_smooth)
-      fairing.keep_creases(m_dual, last_faces.normals);
+      fairing.keep_creases(last_faces.normals);
     Face_geometry faces = last_faces;
     for(int round = 0; round < (is_smooth ? denoising::fairing_rounds : 1); ++round)
     {
+      if(!progress.go_on(1))
+        return false;
       if(round > 0)
         faces = Face_geometry(m_mesh, m_dual, points, m_parallel);
       const std::vector<Vec3> normals = vertex_normals(m_mesh, faces.areas, faces.normals, m_parallel);
@@ -153,6 +160,7 @@ private:
       removed.give_back_detail([&](int v) { return may_get_detail_back(v); }, denoising::detail_threshold_of_fairing,
                                normals, points);
     }
+    return true;
   }
 
   // Says whether too much of what was taken away is detail.
@@ -214,7 +222,9 @@ private:
   // Border vertices are held the more, the less noise there is on the border.
   void weigh_positions(Position_fit& fit) const
   {
-    const double weight = m_options.value_weight.value_or(denoising::value_weight / m_reach);
+    constexpr double of_constraint = 1e12; // as good as one
+    const double weight =
+      (std::min)(m_options.value_weight.value_or(denoising::value_weight / m_reach), of_constraint);
     const double least = denoising::border_value_weight;
     const double at_border =
       (std::max)(least, (std::min)(least / (std::max)(m_noise.border_variance, 1e-12), (std::max)(100., least)));

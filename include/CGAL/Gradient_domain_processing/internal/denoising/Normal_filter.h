@@ -61,14 +61,14 @@ public:
     const double mean_area = std::accumulate(faces.areas.begin(), faces.areas.end(), 0.) / double(faces.areas.size());
     m_system.masses.resize(faces.areas.size());
     parallel_for(m_parallel, m_right.size(), [&](std::size_t f) {
-      m_system.masses[f] = float(std::sqrt(mean_area * faces.areas[f]));
+      m_system.masses[f] = float(std::sqrt(faces.areas[f] / mean_area));
       m_solution[f] = single(faces.normals[f]);
       m_right[f] = m_system.masses[f] * m_solution[f];
     });
     normals = faces.normals;
     for(int i = 0; i < denoising::normal_updates; ++i)
     {
-      weigh(points, smoothing, normals);
+      weigh(points, smoothing, 1 / mean_area, normals);
       m_system.solve(m_right, denoising::normal_tolerance, denoising::most_solver_steps, m_solution);
       parallel_for(m_parallel, normals.size(), [&](std::size_t f) {
         const Vec3 normal = as_double(m_solution[f]);
@@ -80,8 +80,10 @@ public:
   }
 
 private:
+  // The factor keeps single precision from under- or overflowing.
   template <class Smoothing>
-  void weigh(const std::vector<Vec3>& points, const Smoothing& smoothing, const std::vector<Vec3>& normals)
+  void weigh(const std::vector<Vec3>& points, const Smoothing& smoothing, double factor,
+             const std::vector<Vec3>& normals)
   {
     parallel_for(m_parallel, normals.size(), [&](std::size_t f) {
       const Normal_smoothing own = smoothing(int(f));
@@ -95,7 +97,7 @@ private:
         const double sigma = (own.similarity + other.similarity) / 2, beta = (own.weight + other.weight) / 2;
         const double q = 1 + (normals[f] - normals[g]).squaredNorm() / (sigma * sigma);
         const auto& t = m_mesh.triangles[f];
-        m_system.weights[f][i] = float(beta * (points[t[i]] - points[t[(i + 1) % 3]]).norm() / (q * q));
+        m_system.weights[f][i] = float(factor * beta * (points[t[i]] - points[t[(i + 1) % 3]]).norm() / (q * q));
       }
     });
   }

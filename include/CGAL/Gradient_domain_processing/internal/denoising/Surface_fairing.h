@@ -31,34 +31,37 @@ class Surface_fairing
 {
   const Indexed_triangles& m_mesh;
   const Lists& m_rings;
+  const Dual_graph& m_dual;
   bool m_parallel;
   double m_share;
   std::vector<float> m_weights; // gamma c_v
 
 public:
   // As a smooth surface. `share` of the weight is for who wants to stay nearer to the input.
-  Surface_fairing(const Indexed_triangles& mesh, const Lists& rings, double share, bool parallel)
+  Surface_fairing(const Indexed_triangles& mesh, const Lists& rings, const Dual_graph& dual, double share,
+                  bool parallel)
     : m_mesh(mesh)
     , m_rings(rings)
+    , m_dual(dual)
     , m_parallel(parallel)
     , m_share(share)
     , m_weights(mesh.points.size(), float(share * denoising::smooth_fairing))
   {
-    keep_border();
+    keep_lines();
   }
 
   // c_v = 1 / (1 + |g_a - g_b|^2 / sigma^2)^2, the least over the edges at v.
-  void keep_creases(const Dual_graph& dual, const std::vector<Vec3>& normals)
+  void keep_creases(const std::vector<Vec3>& normals)
   {
     const double gamma = m_share * denoising::creased_fairing;
     m_weights.assign(m_mesh.points.size(), float(gamma));
-    dual.for_each_edge(m_mesh, [&](int f, int g, int v, int w) {
+    m_dual.for_each_edge(m_mesh, [&](int f, int g, int v, int w) {
       const double sigma = denoising::fairing_similarity;
       const double q = 1 + (normals[f] - normals[g]).squaredNorm() / (sigma * sigma);
       for(int end : {v, w})
         m_weights[end] = (std::min)(m_weights[end], float(gamma / (q * q)));
     });
-    keep_border();
+    keep_lines();
   }
 
   // Vertices move along their normals: along the surface, the mean of the neighbors is no better place.
@@ -67,19 +70,23 @@ public:
   {
     const std::size_t n = points.size();
     std::vector<float> inverse_diagonal(n, 0.f);
-    std::vector<Vec3f> right(n), change(n, Vec3f(0, 0, 0, 0));
+    std::vector<Vec3f> right(n), change(n, Vec3f(0, 0, 0, 0)), curvature(n);
+    parallel_for(m_parallel, n,
+                 [&](std::size_t v) { curvature[v] = m_weights[v] * single(difference(points, int(v))); });
     parallel_for(m_parallel, n, [&](std::size_t v) {
-      right[v] = -transposed(int(v), [&](int w) { return curvature(points, w); });
+      right[v] = -transposed(curvature, int(v));
       float diagonal = 1 + m_weights[v];
       for(const int* w = m_rings.begin(int(v)); w != m_rings.end(int(v)); ++w)
-        diagonal += m_weights[*w] / float(m_rings.size(*w) * m_rings.size(*w));
+      {
+        const float size = float(m_rings.size(*w));
+        diagonal += m_weights[*w] / (size * size);
+      }
       if(may_move(int(v)))
         inverse_diagonal[v] = 1 / diagonal;
     });
     Conjugate_gradients<Vec3f> solve(m_parallel);
-    solve([&](const std::vector<Vec3f>& p, int v) {
-      return Vec3f(p[v] + transposed(v, [&](int w) { return difference(p, w); }));
-    }, inverse_diagonal, right, denoising::fairing_tolerance, denoising::most_solver_steps, change);
+    solve(Row{*this, curvature}, inverse_diagonal, right, denoising::fairing_tolerance, denoising::most_solver_steps,
+          change);
     parallel_for(m_parallel, n, [&](std::size_t v) {
       if(inverse_diagonal[v] != 0)
         points[v] += normals[v].dot(as_double(change[v])) * normals[v];
@@ -87,40 +94,50 @@ public:
   }
 
 private:
-  void keep_border()
+  // of I + gamma L^T c L
+  struct Row
   {
+    const Surface_fairing& fairing;
+    std::vector<Vec3f>& curvature; // gamma c L p
+
+    void prepare(const std::vector<Vec3f>& p) const
+    {
+      parallel_for(fairing.m_parallel, p.size(), [&](std::size_t v) {
+        curvature[v] = fairing.m_weights[v] * fairing.difference(p, int(v));
+      });
+    }
+
+    Vec3f operator()(const std::vector<Vec3f>& p, int v) const { return p[v] + fairing.transposed(curvature, v); }
+  };
+
+  // The border, and where other than two triangles meet: the surface has no normal there.
+  void keep_lines()
+  {
+    for(int f = 0; f < m_mesh.number_of_triangles(); ++f)
+      for(int i = 0; i < 3; ++i)
+        if(m_dual.neighbor(f, i) < 0)
+          m_weights[m_mesh.triangles[f][i]] = m_weights[m_mesh.triangles[f][(i + 1) % 3]] = 0;
     for(std::size_t v = 0; v < m_weights.size(); ++v)
-      if(m_mesh.is_on_border[v] || m_rings.size(int(v)) == 0)
+      if(m_rings.size(int(v)) == 0)
         m_weights[v] = 0;
   }
 
-  // (L p)_v; points lie far from the origin, as compared with these
-  Vec3f curvature(const std::vector<Vec3>& points, int v) const
+  // (L p)_v; zero where there is no neighbor
+  template <class Vector>
+  Vector difference(const std::vector<Vector>& p, int v) const
   {
-    Vec3 sum(0, 0, 0);
-    for(const int* w = m_rings.begin(v); w != m_rings.end(v); ++w)
-      sum += points[v] - points[*w];
-    return single(sum / m_rings.size(v));
-  }
-
-  Vec3f difference(const std::vector<Vec3f>& p, int v) const
-  {
-    Vec3f sum(0, 0, 0, 0);
+    Vector sum = Vector::Zero();
     for(const int* w = m_rings.begin(v); w != m_rings.end(v); ++w)
       sum += p[v] - p[*w];
-    return sum / float(m_rings.size(v));
+    return m_rings.size(v) > 0 ? Vector(sum / typename Vector::Scalar(m_rings.size(v))) : sum;
   }
 
-  // (L^T c q)_v
-  template <class Of>
-  Vec3f transposed(int v, const Of& of) const
+  // (L^T q)_v
+  Vec3f transposed(const std::vector<Vec3f>& q, int v) const
   {
-    Vec3f sum(0, 0, 0, 0);
-    if(m_weights[v] != 0)
-      sum = m_weights[v] * of(v);
+    Vec3f sum = q[v];
     for(const int* w = m_rings.begin(v); w != m_rings.end(v); ++w)
-      if(m_weights[*w] != 0)
-        sum -= m_weights[*w] / float(m_rings.size(*w)) * of(*w);
+      sum -= q[*w] / float(m_rings.size(*w));
     return sum;
   }
 };

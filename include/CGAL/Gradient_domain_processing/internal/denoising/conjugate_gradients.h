@@ -42,6 +42,12 @@ struct Scalar_of<double>
   typedef double type;
 };
 
+// Before a product with p: rows that have something to prepare do so.
+template <class Row, class Vector>
+auto prepare_product(const Row& row, const Vector& p, int) -> decltype(row.prepare(p)) { row.prepare(p); }
+template <class Row, class Vector>
+void prepare_product(const Row&, const Vector&, long) {}
+
 // Preconditioned by the diagonal, for a symmetric positive definite matrix whose product with p has row(p, i) as its
 // i-th element. The channels of a vector share their step lengths, so that rotating them rotates the result. Elements
 // with an inverse diagonal of 0 stay as they are. From x on, to a residual of `tolerance` relative to that of x = 0;
@@ -67,6 +73,7 @@ public:
     m_direction.resize(n);
     m_product.resize(n);
     const double scale = sum(n, [&](std::size_t i) { return inverse_diagonal[i] * inner_product(right[i], right[i]); });
+    prepare_product(row, x, 0);
     double squares = sum(n, [&](std::size_t i) {
       m_residual[i] = right[i] - row(x, int(i));
       m_direction[i] = inverse_diagonal[i] * m_residual[i];
@@ -74,6 +81,7 @@ public:
     });
     for(int k = 0; k < most_steps && squares > tolerance * tolerance * scale; ++k)
     {
+      prepare_product(row, m_direction, 0);
       const double curvature = sum(n, [&](std::size_t i) {
         m_product[i] = row(m_direction, int(i));
         return inverse_diagonal[i] == 0 ? 0. : inner_product(m_direction[i], m_product[i]);

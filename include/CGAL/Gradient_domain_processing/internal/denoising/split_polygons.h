@@ -63,12 +63,18 @@ inline Indexed_triangles split_polygons(const Indexed_triangles& mesh)
   result.points = mesh.points;
   result.exponent = mesh.exponent;
   result.is_on_border = mesh.is_on_border;
-  for(const auto& t : mesh.triangles)
-    if((std::max)({t[0], t[1], t[2]}) < mesh.first_virtual_vertex())
-      result.triangles.push_back(t);
   const Lists& polygons = mesh.virtual_vertices.corners;
+  constexpr int most_corners = 64; // it takes their square; such a polygon stays a fan
+  for(const auto& t : mesh.triangles)
+  {
+    const int k = (std::max)({t[0], t[1], t[2]}) - mesh.first_virtual_vertex();
+    if(k < 0 || polygons.size(k) > most_corners)
+      result.triangles.push_back(t);
+  }
   for(int k = 0; k < polygons.size(); ++k)
   {
+    if(polygons.size(k) > most_corners)
+      continue;
     std::vector<int> polygon(polygons.begin(k), polygons.end(k));
     for(int& v : polygon)
       v = mesh.vertex_of(v);

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Gradient_domain_processing {
