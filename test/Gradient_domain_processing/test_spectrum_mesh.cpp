@@ -198,6 +198,23 @@ void test_equivariance()
   }
 }
 
+// Between, at and beyond the cut-offs, named in any order.
+void test_transfer_functions()
+{
+  const double low = Filter::eigenvalue(2), high = Filter::eigenvalue(0.5); // a factor of 16
+  GDP_CHECK_NEAR(low, pi * pi, 1e-12);
+  for(bool is_reversed : {false, true})
+  {
+    const Filter pass = is_reversed ? Filter::band_pass(2, 0.5, 6) : Filter::band_pass(0.5, 2, 6);
+    const Filter stop = is_reversed ? Filter::band_stop(2, 0.5, 6) : Filter::band_stop(0.5, 2, 6);
+    for(double mu : {0., low / 4, low, 4 * low, high, 4 * high})
+    {
+      GDP_CHECK_NEAR(pass(mu), mu == 4 * low ? 1 : mu == low || mu == high ? 0.5 : 0, 1e-3);
+      GDP_CHECK_NEAR(stop(mu), 1 - pass(mu), 1e-12);
+    }
+  }
+}
+
 void test_refusals()
 {
   Mesh mesh = mesh_of(grid(4, 4, [](double u, double v) { return Vec(u, v, 0); }));
@@ -248,5 +265,6 @@ int main()
   test_constrained_bands();
   test_equivariance();
   test_refusals();
+  test_transfer_functions();
   return GDP_TEST_RESULT();
 }

@@ -192,7 +192,7 @@ void test_offsets()
 
 void test_polygon_area()
 {
-  const auto area = [](const std::vector<GDP::internal::Vec3>& polygon) { return GDP::internal::polygon_area(polygon); };
+  const auto area = [](const std::vector<Vec>& polygon) { return GDP::internal::polygon_area(polygon); };
   GDP_CHECK_NEAR(area({Vec(0, 0, 0), Vec(2, 0, 0), Vec(0, 3, 0)}), 3, 1e-12);
   GDP_CHECK_NEAR(area({Vec(0, 0, 0), Vec(2, 0, 1), Vec(2, 3, 1), Vec(0, 3, 0)}), 3 * std::sqrt(5.), 1e-12);
   GDP_CHECK_NEAR(area({Vec(0, 0, 0), Vec(2, 0, 0), Vec(2, 1, 0), Vec(1, 2, 0), Vec(0, 1, 0)}), 3, 1e-12);
