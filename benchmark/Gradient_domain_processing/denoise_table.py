@@ -8,6 +8,7 @@ and those of the clean one, and for `denoise()` the passes, the mean shift of ve
 The best weights are chosen by looking at the clean mesh, which nobody has; `denoise()` runs at its defaults. Needs numpy.
 """
 import argparse
+import json
 import os
 import subprocess
 import sys
@@ -97,15 +98,12 @@ class Filter:
     def best(self, noisy, clean, faces, sets):
         return min(angle(self(noisy, faces, options), clean, faces) for options in sets)
 
-    def passes(self, noisy, faces, result):
-        """After how many passes it stopped: the number that gives the same when it is named."""
-        moved = np.abs(result - noisy).max()
-        if moved == 0:
-            return 0
-        for k in [20] + list(range(1, 20)):
-            if np.abs(self(noisy, faces, {"operation": "denoise", "passes": str(k)}) - result).max() < 1e-9 * moved:
-                return k
-        return "?"
+    def denoise(self, points, faces):
+        """The points, and after how many passes they stopped."""
+        report = os.path.join(self.folder, "report.json")
+        result = self(points, faces, {"operation": "denoise", "report": report})
+        with open(report) as stream:
+            return result, int(json.load(stream)["passes"])
 
 
 def row(run, path, name, kind, level):
@@ -113,12 +111,12 @@ def row(run, path, name, kind, level):
     used, faces = np.unique(faces, return_inverse=True)
     clean, faces = clean[used], faces.reshape(-1, 3)
     noisy = with_noise(clean, faces, kind, level)
-    result = run(noisy, faces, {"operation": "denoise"})
+    result, passes = run.denoise(noisy, faces)
     shift = np.linalg.norm(result - clean, axis=1).mean() / mean_edge(clean, faces)
     change = 100 * (volume(result, faces) / volume(noisy, faces) - 1)
     return [name, f"{level} {NOISES[kind]}", f"{angle(noisy, clean, faces):.1f}", f"{run.best(noisy, clean, faces, ISOTROPIC):.1f}",
             f"{run.best(noisy, clean, faces, ANISOTROPIC):.1f}", f"{angle(result, clean, faces):.1f}",
-            str(run.passes(noisy, faces, result)), f"{shift:.2f}", f"{change:+.2f} %" if is_closed(faces) else "open"]
+            str(passes), f"{shift:.2f}", f"{change:+.2f} %" if is_closed(faces) else "open"]
 
 
 def main():

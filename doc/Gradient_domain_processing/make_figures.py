@@ -35,6 +35,7 @@ VIEWS = {  # from where, which way is up, how much closer than all of it
     "fandisk_large": ((0.9, -0.75, 0.75), (0, 0, 1), 1.0),
     "anchor_dense": ((0.6, 0.5, 0.8), (0, 1, 0), 1.0),
     "scan": ((0.45, -0.6, 1), (-0.2, 1, 0), 1.05),
+    "square": ((0, 0, 1), (0, 1, 0), 1.0),
 }
 
 
@@ -323,6 +324,25 @@ def heat(x):
     return np.stack([np.interp(x, [0, 0.5, 1], c) for c in ((0.93, 0.95, 0.55), (0.92, 0.60, 0.05), (0.90, 0.20, 0.08))], axis=1)
 
 
+def stripes(x, mesh_size):
+    """Isolines: 0 to 1 in dark and pale bands, with an edge as wide as a triangle."""
+    wave = np.clip(np.sin(np.pi * 14 * x) / (np.pi * 14 * mesh_size), -1, 1) / 2 + 0.5
+    dark, pale = np.array([0.16, 0.34, 0.60]), np.array([0.93, 0.92, 0.90])
+    return dark + wave[:, None] * (pale - dark)
+
+
+def square(n):
+    """A square of n x n cells, each cut in two, the cuts in turn."""
+    x, y = np.meshgrid(np.arange(n + 1) / n, np.arange(n + 1) / n)
+    faces = []
+    for j in range(n):
+        for i in range(n):
+            a = j * (n + 1) + i
+            b, c, d = a + 1, a + n + 2, a + n + 1
+            faces += [[a, b, c], [a, c, d]] if (i + j) % 2 else [[a, b, d], [b, c, d]]
+    return Mesh(np.stack([x.ravel(), y.ravel(), 0 * x.ravel()], axis=1), faces)
+
+
 # ---- the figures -----------------------------------------------------------------------------------------------------
 
 class Figures:
@@ -436,8 +456,60 @@ class Figures:
             panels.append(render(result, "bunny00", mesh, (520, 480), label, colors))
         self.save("stitch", [panels])
 
+    def fair_patch(self):
+        mesh, view = self.mesh("bunny00"), "bunny00"
+        height, towards = mesh.points[:, 1], mesh.points[:, 2]
+        extent = np.ptp(mesh.points, axis=0).max()
+        middle = mesh.points[np.argmax(towards - 0.5 * np.abs(height - height.mean()))]
+        inside = np.linalg.norm(mesh.points - middle, axis=1) < 0.16 * extent
+        mesh.properties = {"is_in_hole": inside.astype(float), "is_outside": 1.0 - inside}
+        membrane = self.programs.filter(mesh, value_weight=0, gradient_weight=1, constrain="is_outside", gradient_scale=0)
+        fair = self.programs.filter(membrane, operation="fair", region_vertices="is_in_hole")
+        colors = np.where(inside[:, None], [0.93, 0.72, 0.45], CLAY)
+        panels = zip((mesh, membrane, fair), ("input", "the patch as a membrane", "fair()"))
+        self.save("fair_patch", [[render(m, view, mesh, (400, 400), l, colors) for m, l in panels]])
 
-NAMES = ["smooth_sharpen", "weight_sweep", "noise", "scan", "denoising", "metrics", "one_sided", "two_passes", "curvature", "masks", "stitch"]
+    def harmonics(self):
+        mesh, view = self.mesh("fandisk_large"), "fandisk_large"
+        result, = self.programs.example("anisotropic_spectrum_example", mesh, "harmonics.ply")
+        panels = []
+        for name, label in (("embedding", "embedding"), ("edge_aware", "edge-aware metric"), ("anisotropic", "anisotropic conductance")):
+            values = result.properties[name]
+            values = values * np.sign(values[np.argmax(np.abs(values))])
+            panels.append(render(mesh, view, mesh, (400, 360), label, diverging(1.3 * values / np.abs(values).max())))
+        self.save("harmonics", [panels])
+
+    def border_isolines(self):
+        mesh = square(80)
+        exact = 0.75 * mesh.points[:, 0] + 0.25 * mesh.points[:, 1]
+        noisy = exact + 0.06 * np.random.default_rng(5).normal(size=len(exact))
+        mesh.properties = {"value": noisy}
+        first = self.programs.filter(mesh, signal="value", gradient_weight="0.02")
+        second = self.programs.filter(mesh, signal="value", gradient_weight=0, hessian_weight="0.0006")
+        panels = zip((exact, noisy, first.properties["value"], second.properties["value"]),
+                     ("values", "with noise", "first derivatives", "second derivatives"))
+        self.save("border_isolines", [[render(mesh, "square", mesh, (280, 280), l, stripes(v, 1 / 80)) for v, l in panels]])
+
+    def wave_bands(self):
+        mesh, view = self.mesh("armadillo"), "armadillo"
+        extent = np.ptp(mesh.points, axis=0).max()
+        coarse = self.programs.filter(mesh, operation="low-pass", wavelengths=repr(extent / 6))
+        fine = self.programs.filter(mesh, operation="low-pass", wavelengths=repr(extent / 24))
+        corners = fine.points[fine.faces]
+        normals = np.zeros_like(mesh.points)
+        for k in range(3):
+            np.add.at(normals, fine.faces[:, k], np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]))
+        normals /= np.linalg.norm(normals, axis=1)[:, None]
+        panels = [render(coarse, view, mesh, (380, 450), "longer than 1/6 of the height"),
+                  render(fine, view, mesh, (380, 450), "longer than 1/24")]
+        for a, b, label, scale in ((fine, coarse, "between the two", 0.02), (mesh, fine, "shorter", 0.004)):
+            heights = ((a.points - b.points) * normals).sum(axis=1) / extent
+            panels.append(render(fine, view, mesh, (380, 450), label, diverging(heights / scale)))
+        self.save("wave_bands", [panels])
+
+
+NAMES = ["smooth_sharpen", "weight_sweep", "noise", "scan", "denoising", "metrics", "one_sided", "two_passes", "curvature", "masks", "stitch",
+         "fair_patch", "harmonics", "border_isolines", "wave_bands"]
 
 
 def main():

@@ -51,9 +51,9 @@ int main(int argc, char* argv[])
   const auto y = [&](vertex_descriptor v) { return (mesh.point(v).y() - box.ymin()) / size; };
   for(vertex_descriptor v : vertices(mesh))
   {
-    const double spot = 60 * std::sin(30 * x(v)) * std::sin(30 * y(v));
+    const double spot = 40 + 60 * std::sin(30 * x(v)) * std::sin(30 * y(v));
     painting[v] = {60 + 140 * x(v), 120, 200 - 140 * x(v)};
-    spots[v] = {40 + spot, 40 + spot, 40};
+    spots[v] = {spot, spot, 40};
   }
 
   // The gradient of the spots on every face: the values, each times the opposite edge turned by a right angle.
@@ -74,7 +74,6 @@ int main(int argc, char* argv[])
     if(std::hypot(x(v[0]) - 0.5, y(v[0]) - 0.4) < 0.25)
       region.push_back(f);
   }
-
   // Inside the region, the gradients of the spots; around it, the painting.
   const GDP::Error_code code =
     GDP::fit_to_gradients(region, mesh, painting, gradient, painting, GDP::parameters::value_weight(0));
@@ -88,7 +87,7 @@ int main(int argc, char* argv[])
   for(vertex_descriptor v : vertices(mesh))
     color[v] = GDP::Signal_traits<CGAL::IO::Color>::make(
       std::array<double, 4>{painting[v][0], painting[v][1], painting[v][2], 255}.data());
-  std::cout << "Cloned the spots into " << region.size() << " faces of the painting: cloned.ply" << std::endl;
+  std::cout << "Cloned the spots into " << region.size() << " faces: cloned.ply" << std::endl;
   CGAL::IO::write_PLY("cloned.ply", mesh);
   return EXIT_SUCCESS;
 }

@@ -15,6 +15,7 @@
 #include "gradient_domain_filter/filter_mesh.h"
 #include "gradient_domain_filter/normals.h"
 #include "gradient_domain_filter/signal.h"
+#include "gradient_domain_filter/why_unchanged.h"
 
 #include <exception>
 #include <functional>
@@ -65,25 +66,6 @@ Mesh_file read(const Options& options)
   return parse_mesh_file(options.input_name(), format, std::move(text));
 }
 
-// What is known without the filter.
-std::string why_unchanged(const Options& o, const Report& report)
-{
-  if(!report.facts.why_unchanged.empty())
-    return report.facts.why_unchanged;
-  if(o.is_of_paper() && o.gradient_weight == 0 && o.gradient_weight_property.empty() && o.hessian_weight == 0)
-    return "the gradient weight is 0";
-  if(o.operation == Operation::FILTER && o.signal == Signal_kind::NORMAL_TO_POSITION)
-    return "the normals are those that the surface has; --gradient-weight filters them first";
-  if(o.operation == Operation::FILTER && o.gradient_scale == 1 && o.gradient_scale_property.empty()
-     && o.hessian_weight == 0)
-    return "the gradient scale is 1";
-  if(o.max_displacement && *o.max_displacement == 0)
-    return "the largest displacement is 0";
-  if(!o.constrained_property.empty())
-    return "all vertices are constrained, or in places that the filter leaves as they are";
-  return "the filter leaves the signal as it is";
-}
-
 // Filters, and lets the normals of the file follow.
 void filter(const Options& options, const Output_form& form, Mesh_file& file, Stage_clock& clock, Report& report)
 {
@@ -93,12 +75,17 @@ void filter(const Options& options, const Output_form& form, Mesh_file& file, St
   if(code != GDP::ok)
     throw Failure(options.input_name(),
                   (clock.invalid().empty() ? "" : clock.invalid() + ": ") + GDP::get_error_message(code));
-  report.measure(before, signal_values(options, file));
-  if(report.changed_values == 0 && !options.only_adds())
-    report.why_unchanged = why_unchanged(options, report);
+  const bool is_changed = report.measure(before, signal_values(options, file)) || options.only_adds();
+  if(!is_changed)
+    report.why_unchanged = report.facts.why_unchanged.empty() ? why_unchanged(options, file, before)
+                                                              : report.facts.why_unchanged;
   if(options.moves_vertices() && !options.keeps_normals)
     report.updated_normals = update_normals(points, file);
   report.not_kept = not_kept(file, form);
+  if(is_changed)
+    report.notices = rounded_signals(options, file, form);
+  if(is_changed && !report.facts.why_unchanged.empty())
+    report.notices.push_back(report.facts.why_unchanged); // outliers and missing heights have moved all the same
   for(const std::string& notice : clock.notices())
     if(notice != "no vertex was moved") // which may be all that is asked for, or is said with its reason
       report.notices.push_back(notice);
@@ -112,13 +99,16 @@ std::string joined(const std::vector<std::string>& words)
   return text;
 }
 
-// What nobody should have to find out for himself. Remarks about a surface that has not changed are of no use, and
+// What nobody should have to find out for himself. Remarks about a surface that was not to change are of no use, and
 // --verbose has them in its summary.
 void say_all(const Options& options, const Report& report, Stage_clock& clock)
 {
-  if(!report.why_unchanged.empty())
-    say(clock, options.output_name() + ": nothing has changed: " + report.why_unchanged);
-  else if(!options.is_verbose)
+  const bool is_unchanged = !report.why_unchanged.empty();
+  if(is_unchanged)
+    say(clock, options.output_name() + ": nothing has changed" + (report.changed_values == 0 ? "" : " but by rounding")
+                 + ": " + report.why_unchanged);
+  const bool asks_for_more = options.operation == Operation::DENOISE || options.weld_tolerance.value_or(0) > 0;
+  if(!options.is_verbose && (!is_unchanged || asks_for_more))
     for(const std::string& remark : report.remarks(options))
       say(clock, options.input_name() + ": " + remark);
   if(!report.not_kept.empty())
@@ -163,15 +153,21 @@ void run(const Options& options)
     check_output_form(options, form);
     check_form(file, form, options.output_name());
     if(!options.is_quiet || report_file)
-      report.survey = survey(file.points, file.polygons);
+      report.survey = survey(file.points, file.polygons, options.has_metric());
   }
   filter(options, form, file, clock, report);
   {
     Timed_stage stage(clock, "write");
     const std::size_t size = file.text.size(), hash = std::hash<std::string_view>()(file.text);
     std::string contents = mesh_file_contents(file, form);
-    if(report.why_unchanged.empty() && contents.size() == size && std::hash<std::string_view>()(contents) == hash)
+    std::string_view written(contents);
+    if(file.has_mark && written.substr(0, 3) == utf8_mark)
+      written.remove_prefix(3);
+    if(report.why_unchanged.empty() && written.size() == size && std::hash<std::string_view>()(written) == hash)
+    {
       report.why_unchanged = "all changes are smaller than what the numbers of the file can hold";
+      report.changed_values = 0;
+    }
     output.write(is_compressed_name(options.output) ? packed(contents) : std::move(contents));
   }
   if(report_file)

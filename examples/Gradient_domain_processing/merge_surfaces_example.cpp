@@ -70,8 +70,7 @@ int main(int argc, char* argv[])
   CGAL::copy_face_graph(upper, before);
   CGAL::IO::write_polygon_mesh("two_surfaces.off", before, CGAL::parameters::stream_precision(17));
 
-  // The border of the upper surface goes to that of the lower; inside, its gradients stay. Those of positions are the
-  // axes.
+  // The border of the upper surface goes to that of the lower; inside, the gradients of positions, the axes, stay.
   auto position = upper.add_property_map<vertex_descriptor, Point>("v:position").first;
   auto is_constrained = upper.add_property_map<vertex_descriptor, bool>("v:is_constrained", false).first;
   for(const auto& [original, v] : copies)

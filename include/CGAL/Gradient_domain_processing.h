@@ -17,6 +17,7 @@
 /// \file Gradient_domain_processing.h
 /// Includes all of the package.
 
+#include <CGAL/Gradient_domain_processing/Automatic_sparse_linear_solver.h>
 #include <CGAL/Gradient_domain_processing/curvature_metric.h>
 #include <CGAL/Gradient_domain_processing/deformation_matrices.h>
 #include <CGAL/Gradient_domain_processing/denoise.h>

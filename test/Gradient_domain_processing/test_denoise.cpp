@@ -82,6 +82,54 @@ void removes_noise(const Shape& shape, double noise, double bound)
   GDP_CHECK(shift < 0.25);
 }
 
+// Squares of two triangles become one face again.
+Mesh with_squares(const Shape& shape)
+{
+  Mesh mesh = mesh_of(shape);
+  std::vector<Mesh::Halfedge_index> diagonals;
+  for(auto e : mesh.edges())
+  {
+    const auto h = mesh.halfedge(e), o = mesh.opposite(h);
+    const auto squared_length = [&](Mesh::Halfedge_index g) {
+      return (vec(mesh.point(mesh.source(g))) - vec(mesh.point(mesh.target(g)))).squaredNorm();
+    };
+    if(squared_length(h) > 1.5 * squared_length(mesh.next(h)) && squared_length(o) > 1.5 * squared_length(mesh.next(o)))
+      diagonals.push_back(h);
+  }
+  for(auto h : diagonals)
+    CGAL::Euler::join_face(h, mesh);
+  mesh.collect_garbage();
+  return mesh;
+}
+
+void removes_noise_of_squares()
+{
+  const Mesh clean = with_squares(cubes({{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}}, 10));
+  GDP_CHECK(clean.number_of_faces() == 14 * 100);
+  Mesh mesh = clean;
+  add_noise(mesh, 0.2);
+  const auto mean_angle = [&]() {
+    double sum = 0;
+    for(Face f : mesh.faces())
+    {
+      std::array<Vec, 2> diagonals[2];
+      const auto h = mesh.halfedge(f);
+      for(const Mesh* m : {&clean, static_cast<const Mesh*>(&mesh)})
+        diagonals[m == &mesh] = {{vec(m->point(m->target(m->next(h)))) - vec(m->point(m->source(h))),
+                                  vec(m->point(m->target(m->next(m->next(h))))) - vec(m->point(m->target(h)))}};
+      const Vec a = diagonals[0][0].cross(diagonals[0][1]), b = diagonals[1][0].cross(diagonals[1][1]);
+      sum += std::atan2(a.cross(b).norm(), a.dot(b));
+    }
+    return sum / double(mesh.number_of_faces()) * 180 / pi;
+  };
+  const double before = mean_angle();
+  GDP::Denoising_summary summary;
+  GDP_CHECK(GDP::denoise(mesh, GDP::parameters::denoising_summary(std::ref(summary))) == GDP::ok);
+  std::cout << "squares: noise " << before << " degrees, denoised " << mean_angle() << std::endl;
+  GDP_CHECK(before > 10 && mean_angle() < 2);
+  GDP_CHECK(summary.noise_scale == 0); // white, though the middles of faces have less of it
+}
+
 void keeps_what_it_must()
 {
   // a clean mesh is returned to the bit
@@ -420,6 +468,7 @@ int main()
   removes_noise(cubes({{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}}, 10), 0.3, 3.5); // creases, convex and concave
   removes_noise(sphere(24), 0.2, 6.);
   removes_noise(jittered_square(24), 0.3, 6.); // open and flat
+  removes_noise_of_squares();
   keeps_what_it_must();
   keeps_detail();
   keeps_facets();

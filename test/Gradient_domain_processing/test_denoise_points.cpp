@@ -11,6 +11,8 @@
 
 #include <CGAL/Gradient_domain_processing/internal/denoising/denoise_points.h>
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -376,6 +378,101 @@ struct Cancelling : GDP::internal::Progress
   }
 };
 
+// min |x - x_0|^2 + gamma |L x|^2 by a dense solution, taken along the normals.
+void fairing_solves_its_system()
+{
+  const Shape shape = with_noise(sphere(5), 0.2);
+  const auto mesh = indexed(shape);
+  const GDP::internal::Lists rings = mesh.one_rings(true);
+  const int n = int(shape.points.size());
+  Eigen::MatrixXd laplacian = Eigen::MatrixXd::Identity(n, n), positions(n, 3);
+  for(int v = 0; v < n; ++v)
+  {
+    positions.row(v) = shape.points[v];
+    for(const int* w = rings.begin(v); w != rings.end(v); ++w)
+      laplacian(v, *w) -= 1. / rings.size(v);
+  }
+  const Eigen::MatrixXd bending = GDP::internal::denoising::smooth_fairing * laplacian.transpose() * laplacian;
+  const Eigen::MatrixXd change =
+    (Eigen::MatrixXd::Identity(n, n) + bending).ldlt().solve(Eigen::MatrixXd(-bending * positions));
+  const Points normals = mesh.vertex_normals(true);
+  Points points = shape.points;
+  GDP::internal::Surface_fairing fairing(mesh, rings, 1, true);
+  fairing([](int v) { return v != 7; }, normals, points);
+  GDP_CHECK(points[7] == shape.points[7]);
+  double largest = 0, error = 0;
+  for(int v = 0; v < n; ++v)
+  {
+    if(v == 7 || std::find(rings.begin(7), rings.end(7), v) != rings.end(7))
+      continue;
+    const Vec expected = normals[v].dot(change.row(v).transpose()) * normals[v];
+    largest = (std::max)(largest, expected.norm());
+    error = (std::max)(error, (points[v] - shape.points[v] - expected).norm());
+  }
+  GDP_CHECK(largest > 0.01 && error < 0.1 * largest);
+
+  // creases stay where they are to be kept, and only they
+  const Shape cube = box();
+  const auto of_cube = indexed(cube);
+  const GDP::internal::Lists rings_of_cube = of_cube.one_rings(true);
+  const GDP::internal::Dual_graph dual(of_cube, true);
+  const GDP::internal::Face_geometry faces(of_cube, dual, cube.points, true);
+  GDP::internal::Surface_fairing all(of_cube, rings_of_cube, 1, true), flat = all;
+  flat.keep_creases(dual, faces.normals);
+  Points worn = cube.points, kept = cube.points;
+  all([](int) { return true; }, of_cube.vertex_normals(true), worn);
+  flat([](int) { return true; }, of_cube.vertex_normals(true), kept);
+  GDP_CHECK(largest_shift(cube.points, worn) > 0.05 / 10);
+  GDP_CHECK(largest_shift(cube.points, kept) < 0.02 * largest_shift(cube.points, worn));
+}
+
+// Triangles of a polygon have its area vector, wherever it is not convex.
+void cuts_polygons()
+{
+  const Points points = {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 0.2, 0}, {0, 1, 0}};
+  std::vector<std::array<int, 3> > triangles;
+  GDP::internal::cut_ears({0, 1, 2, 3, 4}, points, triangles);
+  GDP_CHECK(triangles.size() == 3);
+  double area = 0;
+  for(const auto& t : triangles)
+  {
+    const double z = (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).z();
+    GDP_CHECK(z > 0);
+    area += z / 2;
+  }
+  GDP_CHECK_NEAR(area, 1.2, 1e-12);
+  triangles.clear();
+  GDP::internal::cut_ears({0, 1, 2, 4}, points, triangles); // the shorter diagonal would be as long: any two
+  GDP_CHECK(triangles.size() == 2);
+  triangles.clear();
+  GDP::internal::cut_ears({0, 1, 1, 4}, points, triangles); // welded corners
+  GDP_CHECK(triangles.size() == 1);
+}
+
+// A vertex where two borders meet is on no curve, whatever the order of the triangles.
+void borders_that_meet_stay()
+{
+  Shape patch = with_noise(square(8), 0.2);
+  const int n = int(patch.points.size());
+  int corner = 0;
+  for(int v = 0; v < n; ++v)
+    if(patch.points[v][0] + patch.points[v][1] > patch.points[corner][0] + patch.points[corner][1])
+      corner = v;
+  Shape two = patch; // and its mirror image at the corner
+  const auto mirrored = [&](int v) { return v == corner ? v : v < corner ? n + v : n + v - 1; };
+  for(int v = 0; v < n; ++v)
+    if(v != corner)
+      two.points.push_back(2 * patch.points[corner] - patch.points[v]);
+  for(const auto& t : patch.triangles)
+    two.triangles.push_back({{mirrored(t[0]), mirrored(t[2]), mirrored(t[1])}});
+  const auto mesh = indexed(two);
+  Points points = two.points;
+  GDP::internal::smooth_border(mesh, GDP::internal::Dual_graph(mesh, true), std::vector<char>(points.size(), 0), true,
+                               points);
+  GDP_CHECK(points[corner] == two.points[corner]);
+  GDP_CHECK(largest_shift(points, two.points) > 1e-3);
+}
+
 void can_be_cancelled()
 {
   const Shape noisy = with_noise(sphere(24), 0.2);
@@ -531,5 +628,8 @@ int main()
   takes_soups();
   does_not_depend_on_threads();
   can_be_cancelled();
+  fairing_solves_its_system();
+  cuts_polygons();
+  borders_that_meet_stay();
   return GDP_TEST_RESULT();
 }

@@ -7,6 +7,7 @@
 // gradient_domain_filter from outside: exit codes, messages, files. The program is named by the environment variable
 // GRADIENT_DOMAIN_FILTER or the first argument.
 
+#include "test_random_files.h"
 #include "test_utils.h"
 
 #include <CGAL/Simple_cartesian.h>
@@ -179,6 +180,9 @@ void test_usage()
   check_fails("mesh.off a.ply b.ply", 2, "two files");
   check_fails("mesh.off out.xyz", 2, "out.xyz");
   check_fails("mesh out.ply", 2, "extension");
+  check_fails("scene.glb out.ply", 2, "scene.glb: glTF is not read or written here; convert it to PLY or OBJ");
+  check_fails("mesh.off out.3mf", 2, "out.3mf: 3MF is not read or written here");
+  check_fails("part.vtp out.ply", 2, "part.vtp: VTP is not read or written here");
   check_fails("mesh.off out.ply --no-such-option", 2, "no-such-option");
   check_fails("mesh.off out.ply -x", 2, "-x");
   check_fails("mesh.off out.ply --value-weight %value%", 2, "%value%");
@@ -222,6 +226,7 @@ void test_usage()
   check_fails("mesh.off out.ply --noise-level 0.1", 2, "denoise");
   check_fails("mesh.off out.ply --operation denoise --noise-scale -1", 2, "noise-scale");
   check_fails("mesh.off out.ply --operation denoise --solver cg", 2, "contradicts");
+  check_fails("mesh.off out.ply --operation denoise --value-weight 0", 2, "--value-weight");
   check_fails("mesh.off out.ply --normal-fit edges", 2, "normal-to-position");
   check_fails("mesh.off out.ply --precision half", 2, "single, double");
   check_fails("mesh.off out.ply --input-format xyz", 2, "input-format");
@@ -330,12 +335,11 @@ void test_bad_files(const Mesh& mesh)
   GDP_CHECK(contents(folder / "out.ply") == "as it was");
   fs::remove(folder / "out.ply");
   check_fails("properties.ply out.ply --constrain nothing", 1, "'nothing'");
-  check_fails("mesh.off out.ply --signal color", 1, "color");
+  check_fails("mesh.off out.ply --signal color", 1, "no vertex colors, as red, green and blue; there are: none");
   check_fails("mesh.off out.ply --value-weight 0", 1, "mesh.off: ");
   GDP_CHECK(mesh.number_of_faces() > 0);
 }
 
-// Nothing can be written, or not all of it.
 // Files of several blocks: lines that go on at their boundary, indices into the blocks before, the line of a mistake.
 void test_blocks()
 {
@@ -363,6 +367,7 @@ void test_blocks()
   fs::remove(folder / "out.off");
 }
 
+// Nothing can be written, or not all of it.
 void test_no_room()
 {
 #if defined(__unix__) || defined(__APPLE__)
@@ -611,6 +616,20 @@ std::string plate_with_bump()
   return text;
 }
 
+// Every face with corners of its own.
+std::string soup_of(const Mesh& mesh)
+{
+  std::ostringstream out;
+  out.precision(17);
+  out << "OFF\n" << 3 * mesh.number_of_faces() << " " << mesh.number_of_faces() << " 0\n";
+  for(auto f : mesh.faces())
+    for(auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+      out << mesh.point(v) << "\n";
+  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    out << "3 " << 3 * f << " " << 3 * f + 1 << " " << 3 * f + 2 << "\n";
+  return out.str();
+}
+
 // Fair patches, bands of waves, harmonics, second derivatives.
 void test_beyond_the_paper(const Mesh& mesh)
 {
@@ -622,6 +641,16 @@ void test_beyond_the_paper(const Mesh& mesh)
       GDP_CHECK(fair.point(v) == plate.point(v));
     else
       GDP_CHECK_NEAR(fair.point(v).z(), 0, 1e-6);
+  check_succeeds("plate.ply out.ply --operation fair --constrain r --report report.json");
+  const Mesh around = read_ply("out.ply"); // the bump stays
+  for(auto v : plate.vertices())
+    if(plate.point(v).z() != 0)
+      GDP_CHECK(around.point(v) == plate.point(v));
+  GDP_CHECK(largest_difference(around, plate) > 0.1);
+  GDP_CHECK(contents(folder / "report.json").find("\"solver\": \"ch") != std::string::npos
+            || contents(folder / "report.json").find("\"solver\": \"eigen\"") != std::string::npos);
+  fs::remove(folder / "report.json");
+  check_succeeds("plate.ply out.ply --value-weight 0 --constrain r", {"spanned like a soap film"});
   check_fails("plate.ply out2.ply --operation fair", 2, "--region-vertices");
   check_fails("plate.ply out2.ply --operation fair --region-vertices nothing", 1, "nothing");
   check_fails("plate.ply out2.ply --operation fair --region-vertices r --gradient-weight 1", 2, "gradient-weight");
@@ -653,6 +682,16 @@ void test_beyond_the_paper(const Mesh& mesh)
   GDP_CHECK_NEAR(std::stod(table.substr(19)), 0, 1e-8);
   GDP_CHECK(contents(folder / "out.ply").find("property double harmonic_4\n") != std::string::npos);
   GDP_CHECK(largest_difference(read_ply("out.ply"), mesh) == 0);
+  write(folder / "soup.off", soup_of(mesh));
+  check_succeeds("soup.off out.ply --operation spectrum --count 5 --eigenvalues soup.csv",
+                 {"vertices at seams were welded to others"});
+  std::istringstream whole(table), welded(contents(folder / "soup.csv"));
+  for(std::string a, b; std::getline(whole, a) && std::getline(welded, b);)
+    if(a[0] != 'i')
+      GDP_CHECK_NEAR(std::stod(a.substr(2)), std::stod(b.substr(2)), 1e-6);
+  check_succeeds("soup.off out.ply --operation spectrum --count 2 --no-weld", {"border vertices at the same place"});
+  fs::remove(folder / "soup.off");
+  fs::remove(folder / "soup.csv");
   check_fails("mesh.off out.off --operation spectrum", 2, "PLY");
   check_fails("mesh.off out2.ply --operation spectrum --eigenvalues mesh.off", 2, "input");
   check_fails("mesh.off out2.ply --operation spectrum --eigenvalues ./out2.ply", 2, "output");
@@ -837,13 +876,13 @@ void test_denoise(const Mesh& mesh)
     Mesh expected = noisy;
     GDP_CHECK(GDP::denoise(expected, GDP::parameters::number_of_iterations(passes)) == GDP::ok);
     check_succeeds("noisy.off out.ply --operation denoise --passes " + std::to_string(passes));
-    GDP_CHECK(largest_difference(read_ply("out.ply"), expected) < 1e-9);
+    GDP_CHECK_NEAR(largest_difference(read_ply("out.ply"), expected), 0, 1e-6); // single precision
     GDP_CHECK(largest_difference(expected, noisy) > 1e-3);
   }
   Mesh expected = noisy;
   GDP_CHECK(GDP::denoise(expected) == GDP::ok);
   check_succeeds("noisy.off out.ply --operation denoise");
-  GDP_CHECK(largest_difference(read_ply("out.ply"), expected) < 1e-9);
+  GDP_CHECK_NEAR(largest_difference(read_ply("out.ply"), expected), 0, 1e-6); // single precision
   GDP_CHECK(largest_difference(expected, noisy) > 1e-3);
   check_succeeds("mesh.off out.ply --operation denoise --noise-level 0", {"nothing has changed: no noise was found"});
   check_fails("noisy.off out.ply --passes 3", 2, "denoise");
@@ -895,6 +934,23 @@ void test_report(const Mesh& mesh)
   GDP_CHECK(Json(denoised).is_valid() && denoised.find("\"noise_level\": ") != std::string::npos);
   GDP_CHECK(denoised.find("\"passes\": 1,") != std::string::npos
             && denoised.find("\"gradient_weight\"") == std::string::npos);
+  // and the solver is the one that solved
+  GDP_CHECK(run("mesh.off out.ply --report report.json --solver cg --gradient-weight 1e-2").code == 0);
+  GDP_CHECK(contents(folder / "report.json").find("\"solver\": \"cg\"") != std::string::npos);
+  std::string strip = "OFF\n900 841 0\n";
+  for(int v = 0; v < 900; ++v)
+    strip += std::to_string(v / 30) + " " + std::to_string(1e-4 * (v % 30)) + " "
+             + std::to_string((v * 7 % 10) * 0.01) + "\n";
+  for(int v = 0; v < 870; ++v)
+    if(v % 30 < 29)
+      strip += "4 " + std::to_string(v) + " " + std::to_string(v + 30) + " " + std::to_string(v + 31) + " "
+               + std::to_string(v + 1) + "\n";
+  write(folder / "strip.off", strip);
+  const Outcome turned = run("strip.off out.ply --report report.json --solver cg --gradient-weight 1e14");
+  const bool is_by_cholesky = turned.err.find("is solved by Cholesky factorization") != std::string::npos;
+  GDP_CHECK(turned.code == 0
+            && is_by_cholesky == (contents(folder / "report.json").find("\"solver\": \"cg\"") == std::string::npos));
+  fs::remove(folder / "strip.off");
   fs::remove(folder / "report.json");
   fs::remove(folder / "a\"b.ply");
   const Outcome outcome = run("mesh.off out.ply --verbose");
@@ -1056,6 +1112,40 @@ void test_lossless()
             != std::string::npos);
   for(const char* name : {"little.ply", "text.ply", "back.ply"})
     fs::remove(folder / name);
+}
+
+// The same of files that are spelled at random.
+void test_random_files()
+{
+  for(unsigned int seed = 0; seed < 12; ++seed)
+  {
+    gdp_test::Random_file random(seed);
+    const std::pair<std::string, std::string> files[] = {{"random.obj", random.obj()},
+                                                         {"random.off", random.off()},
+                                                         {"random.stl", random.text_stl()},
+                                                         {"binary.stl", random.binary_stl()},
+                                                         {"random.ply", random.ply(0)},
+                                                         {"little.ply", random.ply(1)},
+                                                         {"big.ply", random.ply(2)}};
+    for(const auto& file : files)
+    {
+      const std::string &name = file.first, &text = file.second, out = "out" + name.substr(name.find('.'));
+      write(folder / name, text);
+      const Outcome copied = run(name + " " + out + " --gradient-weight 0");
+      if(!GDP_CHECK(copied.code == 0 && contents(folder / out) == text))
+        std::cerr << "  " << name << " of seed " << seed << ": " << copied.err << std::endl;
+      GDP_CHECK(run(name + " " + out + " --gradient-weight 1e-2").code == 0);
+      const std::string moved = contents(folder / out);
+      GDP_CHECK(moved != text);
+      if(name.substr(0, 6) == "random") // only numbers, and no line, are others
+        GDP_CHECK(number_of_other_numbers(text, moved) > 0
+                  && std::count(text.begin(), text.end(), '\n') == std::count(moved.begin(), moved.end(), '\n'));
+      else
+        GDP_CHECK(moved.size() == text.size());
+      fs::remove(folder / name);
+      fs::remove(folder / out);
+    }
+  }
 }
 
 // What another format cannot hold is said.
@@ -1220,7 +1310,8 @@ void test_property_signals()
   write(folder / "square.ply", text);
   check_succeeds("square.ply out.ply --signal heat --gradient-weight 0.1");
   GDP_CHECK(number_of_other_numbers(text, contents(folder / "out.ply")) == 9);
-  check_succeeds("square.ply out.ply --signal part --gradient-weight 0.1");
+  check_succeeds("square.ply out.ply --signal part --gradient-weight 0.1",
+                 {"the property part has integers, and the result is rounded to such"});
   const std::size_t others = number_of_other_numbers(text, contents(folder / "out.ply"));
   GDP_CHECK(others >= 2 && others <= 8); // integers stay integers
   check_fails("square.ply new.ply --signal part,heat", 1,
@@ -1234,7 +1325,8 @@ void test_property_signals()
   gap[0] = "9";
   write(folder / "gap.ply", ply_square("property float heat\n", gap, "property short part\n", part));
   check_fails("gap.ply new.ply --signal heat", 1, "the property 'heat' of vertex 4 is NaN");
-  check_succeeds("gap.ply out.ply --signal heat --missing-values --gradient-weight 0.1");
+  check_succeeds("gap.ply out.ply --signal heat --missing-values --gradient-weight 0.1",
+                 {"gap.ply: 1 missing value was filled in"});
   GDP_CHECK(contents(folder / "out.ply").find("nan") == std::string::npos);
   for(const char* name : {"square.ply", "gap.ply", "out.ply"})
     fs::remove(folder / name);
@@ -1258,7 +1350,7 @@ void test_places()
     return largest_difference(mesh, read_off(folder / "out.off"));
   }();
   const Outcome held = run("mesh.off out.off --gradient-weight 1e-2 --max-displacement " + std::to_string(free / 4));
-  GDP_CHECK(held.code == 0);
+  GDP_CHECK(held.code == 0 && held.err.find(" held back at the largest displacement") != std::string::npos);
   GDP_CHECK_NEAR(largest_difference(mesh, read_off(folder / "out.off")), free / 4, 1e-5 * free);
   check_succeeds("mesh.off out.off --gradient-weight 1e-2 --non-shrinking 4");
   const Mesh once_more = read_off(folder / "out.off");
@@ -1266,6 +1358,40 @@ void test_places()
   GDP_CHECK(largest_difference(mesh, once_more) < largest_difference(mesh, read_off(folder / "out.off")));
   GDP_CHECK(largest_difference(mesh, read_off(folder / "out.off")) < 0.8 * free);
   fs::remove(folder / "out.off");
+}
+
+// Weights of 0 and constraints everywhere, by properties; signals without gradients; results that nobody can mean.
+void test_reasons()
+{
+  write(folder / "all.ply",
+        ply_square("property int all\nproperty int one\n", std::vector<std::string>(9, "1 1"), "",
+                   std::vector<std::string>(8)));
+  write(folder / "none.ply",
+        ply_square("property int none\n", std::vector<std::string>(9, "0"), "", std::vector<std::string>(8)));
+  check_succeeds("none.ply out.ply --gradient-weight-property none",
+                 {"nothing has changed: the gradient weight is 0, as none is at all vertices"});
+  check_succeeds("all.ply out.ply --gradient-scale-property one",
+                 {"nothing has changed: the gradient scale is 1, as one is at all vertices"});
+  for(const char* options : {"", "--signal normal-to-position", "--signal normal-to-position --gradient-weight 1e-3"})
+    check_succeeds("all.ply out.ply --constrain all " + std::string(options),
+                   {"nothing has changed: all vertices are constrained"});
+  check_succeeds("mesh.off out.off --signal normal-to-position --max-displacement 0",
+                 {"nothing has changed: the largest displacement is 0"});
+  check_succeeds("all.ply out.ply --signal all", {"nothing has changed: the signal is the same everywhere"});
+  check_succeeds("mesh.off out.off --signal normal-to-position",
+                 {"nothing has changed but by rounding: the normals are those that the surface has"});
+  check_succeeds("mesh.off out.off --gradient-weight 1e-20", {"the gradient weight is too small"});
+  write(folder / "flat.off",
+        "NOFF\n6 2 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n0 0 0 0 1 0\n1 0 0 0 1 0\n0 0 1 0 1 0\n"
+        "3 0 1 2\n3 4 3 5\n");
+  check_succeeds("flat.off out.off --signal normal", {"on every face the signal is the same at all corners"});
+
+  // what is left of the surface is not what was meant
+  check_succeeds("mesh.off out.off --gradient-weight 1e9", {"times as large as before"});
+  check_succeeds("mesh.off out.off --gradient-scale 1e9", {"times as large as before"});
+  check_succeeds("mesh.off out.off --operation low-pass --wavelengths 1e-6", {"no waves on this surface"});
+  for(const char* name : {"none.ply", "all.ply", "flat.off", "out.ply", "out.off"})
+    fs::remove(folder / name);
 }
 
 // Whatever leaves everything as it was says why, also in the report.
@@ -1302,6 +1428,9 @@ void test_said()
         "OFF\n7 3 0\n0 0 0\n100 0 0\n0 100 0\n100 100 1\n0 0 50\n1 0 50\n0 1 50\n3 0 1 2\n3 1 3 2\n3 4 5 6\n");
   check_succeeds("parts.off out.off",
                  {"2 parts of very different size under one weight", "1 face that is connected to no other"});
+  check_succeeds("parts.off out.off --gradient-weight 1e-6",
+                 {"2 parts of very different size under one weight", "1 face that is connected to no other",
+                  "1 part hardly moves, that of face 0: the gradient weight is small for such large faces"});
   check_succeeds("parts.off out.off --quiet");
   const Outcome parts = run("parts.off out.off --verbose");
   GDP_CHECK(parts.err.empty()); // not twice
@@ -1314,6 +1443,97 @@ void test_said()
                  {"2 edges with more than two faces", "2 edges between faces of which one is turned over",
                   "1 face that is there already", "1 face without area"});
   for(const char* name : {"none.ply", "parts.off", "odd.off", "report.json", "out.off", "out.ply"})
+    fs::remove(folder / name);
+}
+
+struct Soup
+{
+  std::vector<Kernel::Vector_3> points;
+  std::vector<std::vector<std::size_t> > faces;
+};
+
+Soup read_soup(const fs::path& path)
+{
+  std::ifstream in(path);
+  std::string word;
+  std::size_t counts[3] = {0, 0, 0};
+  in >> word >> counts[0] >> counts[1] >> counts[2];
+  Soup soup;
+  for(std::size_t v = 0; v < counts[0]; ++v)
+  {
+    std::string x, y, z; // NaN is no number to a stream
+    in >> x >> y >> z;
+    soup.points.emplace_back(std::strtod(x.c_str(), nullptr), std::strtod(y.c_str(), nullptr),
+                             std::strtod(z.c_str(), nullptr));
+  }
+  soup.faces.resize(counts[1]);
+  for(auto& face : soup.faces)
+  {
+    std::size_t n = 0;
+    in >> n;
+    face.resize(n < 100 ? n : 0);
+    for(std::size_t& v : face)
+      in >> v;
+  }
+  GDP_CHECK(bool(in) && !soup.faces.empty());
+  return soup;
+}
+
+double largest_difference(const Soup& a, const Soup& b)
+{
+  double largest = 0;
+  for(std::size_t v = 0; v < a.points.size(); ++v)
+    largest = (std::max)(largest, std::sqrt((a.points[v] - b.points[v]).squared_length()));
+  return largest;
+}
+
+// Marks of UTF-8, names that say another format, vertices without a face far away, tolerances that join nothing or all.
+void test_odd_files()
+{
+  const std::string mark = "\xEF\xBB\xBF", square = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0.5\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+  write(folder / "marked.off", mark + square);
+  check_copies("marked.off out.off");
+  GDP_CHECK(contents(folder / "out.off") == mark + square);
+  check_succeeds("marked.off out.off --gradient-weight 0.1");
+  GDP_CHECK(contents(folder / "out.off").compare(0, 7, mark + "OFF\n") == 0);
+  check_copies("marked.off out.obj");
+  GDP_CHECK(contents(folder / "out.obj").compare(0, 2, "v ") == 0);
+  write(folder / "marked.obj", mark + "v 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nf 1 2 3 4\n"); // its first vertex counts
+  check_succeeds("marked.obj out.off --gradient-weight 0.1");
+  GDP_CHECK(contents(folder / "out.off").compare(0, 10, "OFF\n4 1 0\n") == 0);
+
+  write(folder / "voxels.ply",
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty int x\nproperty int y\nproperty int z\nelement face 1\n"
+        "property list uchar int vertex_indices\nend_header\n0 0 0\n9 0 0\n9 9 7\n0 9 0\n4 0 1 2 3\n");
+  check_succeeds("voxels.ply out.ply --gradient-weight 0.1", {"the result is rounded to such"});
+  GDP_CHECK(contents(folder / "out.ply").find("property int z\n") != std::string::npos);
+  check_succeeds("voxels.ply out.ply --gradient-weight 0.1 --precision double");
+  GDP_CHECK(contents(folder / "out.ply").find("property double z\n") != std::string::npos);
+  fs::remove(folder / "voxels.ply");
+  fs::remove(folder / "out.ply");
+
+  write(folder / "wrong.stl", square);
+  check_fails("wrong.stl new.off", 1, "; it looks like --input-format off");
+  check_succeeds("wrong.stl out.off --input-format off --gradient-weight 0.1");
+  write(folder / "wrong.obj", full_binary_ply(true));
+  check_fails("wrong.obj new.off", 1, "; it looks like --input-format ply");
+
+  // triangles that have lost their neighbors, almost
+  const std::string apart = "\n0 0 0\n1 0 0\n1 1 0.5\n1e-7 0 0\n1 1 0.5000001\n0 1 0\n", faces = "3 0 1 2\n3 3 4 5\n";
+  write(folder / "apart.off", "OFF\n6 2 0" + apart + faces);
+  write(folder / "far.off", "OFF\n8 2 0" + apart + "1e149 0 0\nnan 0 0\n" + faces);
+  check_succeeds("apart.off near.off --gradient-weight 0.1 --weld-tolerance 1e-5",
+                 {"2 vertices at seams were welded to others"});
+  check_succeeds("far.off out.off --gradient-weight 0.1 --weld-tolerance 1e-5",
+                 {"2 vertices at seams were welded to others", "2 vertices without a face stay as they are"});
+  GDP_CHECK_NEAR(largest_difference(read_soup(folder / "near.off"), read_soup(folder / "out.off")), 0, 1e-12);
+  for(const char* tolerance : {"1e-9", "1e-30", "1e-300"})
+    check_succeeds("apart.off out.off --gradient-weight 0.1 --weld-tolerance " + std::string(tolerance),
+                   {"2 faces that are connected to no other: does a (larger) --weld-tolerance join them?"});
+  check_succeeds("apart.off out.off --weld-tolerance 2",
+                 {"nothing has changed", "5 vertices at seams were welded to others"});
+  for(const char* name : {"marked.off", "marked.obj", "wrong.stl", "wrong.obj", "apart.off", "far.off", "near.off",
+                          "out.off", "out.obj"})
     fs::remove(folder / name);
 }
 
@@ -1354,6 +1574,115 @@ void test_missing_heights()
     fs::remove(folder / name);
 }
 
+// ---- files of strangers, where they are beside the package
+
+double volume(const Soup& soup)
+{
+  double sum = 0;
+  for(const auto& f : soup.faces)
+    sum += CGAL::scalar_product(soup.points[f[0]], CGAL::cross_product(soup.points[f[1]], soup.points[f[2]])) / 6;
+  return sum;
+}
+
+// Degrees between the faces of a ball and a sphere about `center`.
+double mean_angle_to_sphere(const Soup& soup, const Kernel::Vector_3& center)
+{
+  double sum = 0;
+  for(const auto& f : soup.faces)
+  {
+    const Kernel::Vector_3 a = soup.points[f[0]], b = soup.points[f[1]], c = soup.points[f[2]];
+    const Kernel::Vector_3 n = CGAL::cross_product(b - a, c - a), r = (a + b + c) / 3. - center;
+    sum += std::acos((std::min)(1., n * r / std::sqrt(n.squared_length() * r.squared_length())));
+  }
+  return sum / double(soup.faces.size()) * 180 / 3.14159265358979323846;
+}
+
+const fs::path cases = "../../../shared/data/cases";
+
+std::string quoted_case(const std::string& name) { return "\"" + fs::absolute(cases / name).string() + "\""; }
+
+// A file of the kind as it is, and as it is filtered.
+Soup case_in(const std::string& name)
+{
+  GDP_CHECK(run(quoted_case(name + ".ply.gz") + " in.off --gradient-weight 0").code == 0);
+  return read_soup(folder / "in.off");
+}
+
+Soup case_out(const std::string& name, const std::string& options)
+{
+  const Outcome outcome = run(quoted_case(name + ".ply.gz") + " out.off " + options);
+  if(!GDP_CHECK(outcome.code == 0))
+    std::cerr << "  " << name << " " << options << ": " << outcome.err << std::endl;
+  return read_soup(folder / "out.off");
+}
+
+void test_textured_file()
+{
+  check_copies(quoted_case("textured.obj.gz") + " copy.obj");
+  check_succeeds("copy.obj out.obj --gradient-weight 1e-3");
+  const auto others = [](const fs::path& path) {
+    std::istringstream in(contents(path));
+    std::string rest;
+    for(std::string line; std::getline(in, line);)
+      if(line.compare(0, 2, "v ") != 0 && line.compare(0, 3, "vn ") != 0)
+        rest += line + "\n";
+    return rest;
+  };
+  GDP_CHECK(others(folder / "copy.obj") == others(folder / "out.obj") && contents(folder / "copy.obj").size() > 30000);
+  for(const char* name : {"copy.obj", "out.obj"})
+    fs::remove(folder / name);
+}
+
+void test_case_files()
+{
+  if(!fs::exists(cases / "sphere.ply.gz")
+     || run(quoted_case("sphere.ply.gz") + " in.off").err.find("without Boost.Iostreams") != std::string::npos)
+  {
+    std::cerr << "the files of strangers are not here, and not tested" << std::endl;
+    return;
+  }
+  const double soup_volume = volume(case_out("soup_labelmap", "")) / volume(case_in("soup_labelmap"));
+  GDP_CHECK(soup_volume > 0.98 && soup_volume < 1);
+
+  const Kernel::Vector_3 center(18.13, 18.26, 18.39);
+  const Soup ball = case_out("labelmap_sphere", "--operation denoise");
+  GDP_CHECK(mean_angle_to_sphere(case_in("labelmap_sphere"), center) > 20 && mean_angle_to_sphere(ball, center) < 2.5);
+  double radius = 0;
+  for(const auto& p : ball.points)
+    radius += std::sqrt((p - center).squared_length()) / double(ball.points.size());
+  GDP_CHECK_NEAR(radius / 15, 1, 1e-3);
+
+  const Soup house = case_in("house_clean");
+  double edge = 0;
+  for(const auto& f : house.faces)
+    edge += std::sqrt((house.points[f[0]] - house.points[f[1]]).squared_length()) / double(house.faces.size());
+  GDP_CHECK(largest_difference(house, case_out("house_spikes", "--operation denoise")) < edge);
+
+  GDP_CHECK(largest_difference(case_in("cap_sphere"), case_out("cap_sphere", "--signal normal-to-position")) < 1e-3);
+  GDP_CHECK_NEAR(volume(case_out("slab", "--signal normal-to-position")) / volume(case_in("slab")), 1, 1e-9);
+  GDP_CHECK_NEAR(volume(case_out("sphere", "--iterations 50 --gradient-weight 1e-3 --restore-volume"))
+                   / volume(case_in("sphere")), 1, 1e-9);
+
+  const Soup scan = case_in("scan_zigzag");
+  GDP_CHECK(largest_difference(scan, case_out("scan_zigzag", "--operation denoise --border along-border")) > 0.1);
+  GDP_CHECK(largest_difference(case_out("slivers_cg", "--solver cg"), case_out("slivers_cg", "--solver eigen")) < 1e-9);
+  const Soup plate = case_out("cad_plate", "--metric edge-aware --curvature normals --presmoothing-weight 0");
+  for(const auto& p : plate.points)
+    GDP_CHECK(std::abs(p.z() - 2.5) > 2.45 && std::abs(p.z() - 2.5) < 2.55);
+  check_succeeds(quoted_case("cad_plate.ply.gz") + " out.off --metric edge-aware", {"368 faces are needles"});
+
+  const Soup unused = case_out("unused_nan", "");
+  GDP_CHECK(std::count_if(unused.points.begin(), unused.points.end(),
+                          [](const Kernel::Vector_3& p) { return std::isnan(p.x()); }) == 5);
+  double top = 0;
+  for(const auto& p : case_out("flat_patch", "--operation fair --constrain con").points)
+    top = (std::max)(top, p.z());
+  GDP_CHECK_NEAR(top, 1, 0.01);
+  test_textured_file();
+  for(const char* name : {"in.off", "out.off"})
+    fs::remove(folder / name);
+}
+
 } // namespace
 
 int main(int argc, char* argv[])
@@ -1386,6 +1715,7 @@ int main(int argc, char* argv[])
     test_any_surface();
     test_lines();
     test_lossless();
+    test_random_files();
     test_format_changes();
     test_streams();
     test_packed_files();
@@ -1393,7 +1723,10 @@ int main(int argc, char* argv[])
     test_property_signals();
     test_places();
     test_said();
+    test_reasons();
     test_missing_heights();
+    test_odd_files();
+    test_case_files();
     test_denoise(mesh);
     test_report(mesh);
 

@@ -10,6 +10,7 @@
 #include "test_meshes.h"
 #include "test_utils.h"
 
+#include <CGAL/Gradient_domain_processing/Automatic_sparse_linear_solver.h>
 #include <CGAL/Gradient_domain_processing/process_face_signal.h>
 #include <CGAL/Gradient_domain_processing/process_signal.h>
 
@@ -124,6 +125,48 @@ struct Failing_solver : Minimal_solver
   }
 };
 
+// Small meshes are factorized, to the bit as by default; where no factor may take any memory, it iterates.
+void check_automatic_solver()
+{
+  const double no_memory = 1;
+  const GDP::Automatic_sparse_linear_solver free, bound(1e-10, 1, no_memory);
+  check_agreement("automatic", free, 0);
+  GDP_CHECK(!free.has_iterated());
+  check_agreement("automatic, without memory", bound, 1e-8);
+  GDP_CHECK(bound.has_iterated());
+
+  // as a solver of its own
+  const int n = 5;
+  GDP::Automatic_sparse_linear_solver::Matrix matrix(n);
+  GDP::Automatic_sparse_linear_solver::Vector b(n), x(n);
+  for(int i = 0; i < n; ++i)
+  {
+    matrix.set_coef(i, i, 3, true);
+    if(i > 0)
+    {
+      matrix.set_coef(i, i - 1, -1, true);
+      matrix.set_coef(i - 1, i, -1, true);
+    }
+    b[i] = 3 * i - (i > 0 ? i - 1 : 0) - (i + 1 < n ? i + 1 : 0);
+  }
+  for(GDP::Automatic_sparse_linear_solver solver : {free, bound})
+  {
+    double denominator = 0;
+    GDP_CHECK(!solver.linear_solver(b, x)); // nothing is factorized
+    GDP_CHECK(solver.linear_solver(matrix, b, x, denominator) && denominator == 1);
+    for(int i = 0; i < n; ++i)
+      GDP_CHECK_NEAR(x[i], i, 1e-9);
+  }
+  GDP::internal::Solver_task task;
+  task.unknowns = 1000000;
+  GDP_CHECK(GDP::internal::multigrid_pays(task, 1e12));
+  task.solutions_of_each = 100;
+  GDP_CHECK(!GDP::internal::multigrid_pays(task, 1e12));
+  task.solutions_of_each = 1;
+  task.is_of_second_order = true;
+  GDP_CHECK(!GDP::internal::multigrid_pays(task, 1e12) && GDP::internal::multigrid_pays(task, no_memory));
+}
+
 #ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD
 // CHOLMOD's settings are afterwards what the caller made them, or the defaults.
 void check_settings()
@@ -162,6 +205,7 @@ int main()
 #ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD
   check_settings();
 #endif
+  check_automatic_solver();
   // the direct solvers differ by rounding, the iterative one by its tolerance
   check_agreement("SimplicialLLT", CGAL::Eigen_solver_traits<Eigen::SimplicialLLT<Sparse> >(), 1e-13);
   check_agreement("SimplicialLDLT", CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Sparse> >(), 1e-13);

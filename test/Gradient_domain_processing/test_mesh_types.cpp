@@ -17,6 +17,7 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Face_filtered_graph.h>
 
 #include <cmath>
 #include <map>
@@ -122,6 +123,38 @@ void check_point_map()
   GDP_CHECK(distance(result, expected()) <= 1e-15);
 }
 
+// Some faces of a mesh as a graph of their own: the result is that of a mesh of these faces, and the others are not
+// looked at.
+void check_filtered_graph()
+{
+  typedef CGAL::Surface_mesh<Double::Point_3> Mesh;
+  typedef CGAL::Face_filtered_graph<Mesh> Filtered;
+  Mesh tm = built<Mesh>(surface());
+  std::vector<Mesh::Face_index> some;
+  std::vector<Double::Point_3> points;
+  for(auto v : tm.vertices())
+    points.push_back(tm.point(v));
+  const std::vector<Double::Point_3> before = points;
+  std::vector<std::vector<std::size_t> > polygons;
+  for(auto f : tm.faces())
+    if(std::size_t(f) < tm.number_of_faces() / 2)
+    {
+      some.push_back(f);
+      polygons.emplace_back();
+      for(auto v : CGAL::vertices_around_face(tm.halfedge(f), tm))
+        polygons.back().push_back(std::size_t(v));
+    }
+  Filtered filtered(tm, some);
+  GDP_CHECK(GDP::smooth(filtered) == GDP::OK && GDP::smooth(points, polygons) == GDP::OK);
+  std::size_t moved = 0;
+  for(auto v : tm.vertices())
+  {
+    GDP_CHECK(CGAL::squared_distance(tm.point(v), points[std::size_t(v)]) < 1e-28);
+    moved += tm.point(v) != before[std::size_t(v)];
+  }
+  GDP_CHECK(moved > 0 && moved < tm.number_of_vertices());
+}
+
 } // namespace
 
 int main()
@@ -134,5 +167,6 @@ int main()
   check_signal<CGAL::Polyhedron_3<Double> >(1e-14);
   check_signal<CGAL::Surface_mesh<Float::Point_3> >(1e-14); // the signal keeps its digits
   check_point_map();
+  check_filtered_graph();
   return GDP_TEST_RESULT();
 }

@@ -196,6 +196,70 @@ void test_switching()
   GDP_CHECK(again == result);
 }
 
+// Without values and gradients a plane may tilt until three vertices are constrained.
+void test_number_of_constraints()
+{
+  Mesh mesh = square(6);
+  const Signal_map in = signal_of(mesh, "v:in", [](const Point& p) { return std::sin(8 * p.x() * p.y()); });
+  const Signal_map out = signal_of(mesh, "v:out", [](const Point&) { return -7; });
+  auto is_constrained = mesh.add_property_map<Vertex, bool>("v:is_constrained", false).first;
+  const Vertex corners[3] = {Vertex(0), Vertex(6), Vertex(42)};
+  const auto filtered = [&](double beta, GDP::Hessian_kind kind) {
+    return GDP::process_signal(mesh, in, out, gradient_weight(beta).value_weight(0).hessian_weight(1e-3)
+                                 .hessian_kind(kind).gradient_scale(0).vertex_is_constrained_map(is_constrained));
+  };
+  for(int count = 0; count <= 3; ++count)
+  {
+    if(count > 0)
+      is_constrained[corners[count - 1]] = true;
+    GDP_CHECK(filtered(0, GDP::Hessian_kind::SQUARED_HESSIAN) == (count < 3 ? GDP::error_unconstrained : GDP::ok));
+    if(count < 3)
+      GDP_CHECK(out[Vertex(20)] == -7);
+  }
+  const double at[3] = {in[corners[0]], in[corners[1]], in[corners[2]]};
+  for(Vertex v : mesh.vertices())
+    GDP_CHECK_NEAR(out[v], at[0] + (at[1] - at[0]) * mesh.point(v).x() + (at[2] - at[0]) * mesh.point(v).y(), 1e-8);
+  GDP_CHECK(filtered(0, GDP::Hessian_kind::TRACE_FREE_HESSIAN) == GDP::error_unconstrained);
+  is_constrained[corners[1]] = is_constrained[corners[2]] = false;
+  GDP_CHECK(filtered(1e-3, GDP::Hessian_kind::SQUARED_HESSIAN) == GDP::ok);
+  GDP_CHECK(filtered(0, GDP::Hessian_kind::BILAPLACIAN) == GDP::ok);
+}
+
+// Vertices of quads that nothing acts on stay as they are, beside those that are filtered.
+void test_nothing_acts()
+{
+  std::vector<Point> points;
+  std::vector<std::array<std::size_t, 4> > quads;
+  std::vector<double> values, value_weights, gradient_weights;
+  for(int i = 0; i <= 8; ++i)
+    for(int j = 0; j <= 4; ++j)
+    {
+      points.emplace_back(i, j, 0);
+      values.push_back((i * 7 + j * 5) % 4);
+      value_weights.push_back(i < 5 ? 1 : 0);
+    }
+  for(std::size_t i = 0; i < 8; ++i)
+    for(std::size_t j = 0; j < 4; ++j)
+    {
+      quads.push_back({{5 * i + j, 5 * i + 5 + j, 5 * i + 6 + j, 5 * i + 1 + j}});
+      gradient_weights.push_back(i < 4 ? 1e-2 : 0);
+    }
+  const std::vector<double> before = values;
+  const auto map = CGAL::make_property_map(values);
+  GDP_CHECK(GDP::process_signal(points, quads, map, map,
+                                GDP::parameters::vertex_value_weight_map(CGAL::make_property_map(value_weights))
+                                  .face_gradient_weight_map(CGAL::make_property_map(gradient_weights))
+                                  .gradient_scale(0))
+            == GDP::ok);
+  for(std::size_t v = 0; v < values.size(); ++v)
+  {
+    GDP_CHECK(std::isfinite(values[v]));
+    if(v >= 5 * 6)
+      GDP_CHECK_NEAR(values[v], before[v], 1e-12);
+  }
+  GDP_CHECK(values[7] != before[7]);
+}
+
 } // namespace
 
 int main()
@@ -204,5 +268,7 @@ int main()
   test_linear();
   test_units();
   test_switching();
+  test_number_of_constraints();
+  test_nothing_acts();
   return GDP_TEST_RESULT();
 }

@@ -84,10 +84,11 @@ void test_soup_is_mesh()
   for(const Shape& shape : {sphere(7).noisy(0.02), wavy_patch()})
     for(int verb = 0; verb < number_of_verbs; ++verb)
     {
+      const double tolerance = verb == 4 ? 1e-6 : 1e-9; // denoising is in single precision inside
       Mesh mesh = mesh_of(shape);
       Points points = points_of(shape);
       GDP_CHECK(run(verb, mesh) == GDP::ok && run(verb, points, shape.triangles) == GDP::ok);
-      GDP_CHECK(distance(points, points_of(mesh)) < 1e-9);
+      GDP_CHECK_NEAR(distance(points, points_of(mesh)), 0, tolerance);
       GDP_CHECK(distance(points, points_of(shape)) > 1e-4);
 
       Mesh in_region = mesh_of(shape);
@@ -97,7 +98,7 @@ void test_soup_is_mesh()
       std::iota(indices.begin(), indices.end(), std::size_t(0));
       Points of_region = points_of(shape);
       GDP_CHECK(run(verb, region, in_region) == GDP::ok && run(verb, indices, of_region, shape.triangles) == GDP::ok);
-      GDP_CHECK(distance(of_region, points_of(in_region)) < 1e-9);
+      GDP_CHECK_NEAR(distance(of_region, points_of(in_region)), 0, tolerance);
     }
 }
 
@@ -146,6 +147,66 @@ void test_welding()
     const auto solver = GDP::make_gradient_domain_solver(apart, triangles, np.weld_tolerance(0.));
     GDP_CHECK(solver.number_of_welded_vertices() == apart.size() - shape.points.size());
   }
+}
+
+// Points that no face uses may be anywhere: they say nothing about the extent, to which the tolerance of welding and
+// the powers of two of the arrays refer. A tolerance below the digits of the coordinates welds what is in the same
+// place.
+void test_points_without_face()
+{
+  const Shape shape = wavy_patch();
+  Points apart;
+  Triangles triangles;
+  for(const auto& t : shape.triangles)
+  {
+    const int n = int(apart.size());
+    for(int v : t)
+      apart.emplace_back(shape.points[v].x() + 1e-8 * n, shape.points[v].y(), shape.points[v].z());
+    triangles.push_back({{n, n + 1, n + 2}});
+  }
+  const auto np = GDP::parameters::gradient_weight(2e-3);
+  Points welded = apart, whole = points_of(shape);
+  GDP_CHECK(GDP::smooth(welded, triangles, np.weld_tolerance(1e-4)) == GDP::ok);
+  GDP_CHECK(GDP::smooth(whole, shape.triangles, np) == GDP::ok);
+  for(double tolerance : {1e-20, 1e-300})
+  {
+    Points same = points_of(shape);
+    GDP_CHECK(GDP::smooth(same, shape.triangles, np.weld_tolerance(tolerance)) == GDP::ok);
+    GDP_CHECK(distance(same, whole) == 0);
+  }
+  const double nan_value = std::numeric_limits<double>::quiet_NaN();
+  for(const Point& other : {Point(1e149, 0, 0), Point(-1e100, 3e120, 1), Point(1e9, 0, 0), Point(nan_value, 0, 0)})
+  {
+    Points with_others = apart, whole_with_others = points_of(shape);
+    with_others.push_back(other);
+    whole_with_others.push_back(other);
+    GDP_CHECK(GDP::smooth(with_others, triangles, np.weld_tolerance(1e-4)) == GDP::ok);
+    GDP_CHECK(GDP::smooth(whole_with_others, shape.triangles, np) == GDP::ok);
+    GDP_CHECK(same_bits(with_others.back(), other) && same_bits(whole_with_others.back(), other));
+    GDP_CHECK(distance(welded, with_others) < 1e-12 && distance(whole, whole_with_others) < 1e-12);
+
+    Mesh mesh = mesh_of(shape);
+    mesh.add_vertex(other);
+    GDP_CHECK(GDP::smooth(mesh, np) == GDP::ok);
+    GDP_CHECK(distance(whole, points_of(mesh)) < 1e-12);
+  }
+}
+
+// Triangles that are turned over make no difference; there is no volume to restore then.
+void test_turned_triangles()
+{
+  const Shape shape = sphere(6).noisy(0.02);
+  Triangles turned = shape.triangles;
+  Random random(5);
+  for(auto& t : turned)
+    if(random() > 0)
+      std::swap(t[1], t[2]);
+  const auto np = GDP::parameters::gradient_weight(5e-3).number_of_iterations(2);
+  Points points = points_of(shape), same = points;
+  GDP_CHECK(GDP::smooth(points, shape.triangles, np) == GDP::ok && GDP::smooth(same, turned, np) == GDP::ok);
+  GDP_CHECK(distance(points, same) < 1e-12);
+  GDP_CHECK(GDP::smooth(same, turned, np.restore_volume(true)) == GDP::error_no_volume);
+  GDP_CHECK(distance(points, same) < 1e-12);
 }
 
 // A signal that jumps at a seam goes on jumping by as much, and is filtered on both sides as one.
@@ -352,6 +413,8 @@ int main()
 {
   test_soup_is_mesh();
   test_welding();
+  test_points_without_face();
+  test_turned_triangles();
   test_signal_at_seam();
   test_non_manifold();
   test_polygons();

@@ -18,6 +18,8 @@
 #include <CGAL/Gradient_domain_processing/internal/spectrum/eigenpairs.h>
 #include <CGAL/Gradient_domain_processing/internal/spectrum/filter_by_harmonics.h>
 
+#include <algorithm>
+#include <functional>
 #include <vector>
 
 using namespace gdp_test;
@@ -45,13 +47,14 @@ Sparse diagonal(const Eigen::VectorXd& values)
   return matrix;
 }
 
-void check_pairs(const Sparse& a, const Sparse& b, const Eigenpairs& pairs, double tolerance)
+void check_pairs(const Sparse& a, const Sparse& b, const Eigenpairs& pairs, double tolerance,
+                 double of_products = 1e-11)
 {
   const Eigen::MatrixXd residual = a * pairs.vectors - b * pairs.vectors * pairs.values.asDiagonal();
   GDP_CHECK_NEAR(residual.cwiseAbs().maxCoeff(), 0, tolerance);
   const Eigen::MatrixXd products = pairs.vectors.transpose() * (b * pairs.vectors);
   GDP_CHECK_NEAR((products - Eigen::MatrixXd::Identity(products.rows(), products.cols())).cwiseAbs().maxCoeff(), 0,
-                 1e-11);
+                 of_products);
 }
 
 // l (l + 1) as often as 2 l + 1, of second order.
@@ -105,6 +108,42 @@ void test_bands()
   }
 }
 
+// Those nearest to a shift against a dense solver, wherever that is, on an eigenvalue as well: by few and by several
+// slices; on one thread to the bit the same.
+void test_shifts()
+{
+  const Arrays sphere = arrays_of(icosphere(2)), patch = arrays_of(bumpy_patch(17, 16));
+  for(const Arrays& arrays : {sphere, patch})
+  {
+    const Sparse stiffness = stiffness_matrix(arrays), mass = diagonal(masses_of(arrays));
+    const Eigen::VectorXd all =
+      Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(stiffness), Eigen::MatrixXd(mass))
+        .eigenvalues();
+    const int n = int(all.size());
+    for(double shift : {-1., 0., all[1], 6., 13.3, all[n / 2], all[n - 3], 2 * all[n - 1]})
+      for(int count : {1, 7, 90})
+      {
+        Eigenpairs pairs, on_one_thread;
+        if(!GDP_CHECK(nearest_eigenpairs(stiffness, mass, shift, count, pairs) == GDP::ok))
+          std::cerr << "  shift " << shift << ", " << count << " pairs" << std::endl;
+        if(!GDP_CHECK(pairs.values.size() == count))
+          continue;
+        check_pairs(stiffness, mass, pairs, 1e-6, 1e-10);
+        std::vector<double> distances, found;
+        for(int j = 0; j < n; ++j)
+          distances.push_back(std::abs(all[j] - shift));
+        for(int j = 0; j < count; ++j)
+          found.push_back(std::abs(pairs.values[j] - shift));
+        std::sort(distances.begin(), distances.end());
+        std::sort(found.begin(), found.end());
+        for(int j = 0; j < count; ++j)
+          GDP_CHECK_NEAR(found[std::size_t(j)], distances[std::size_t(j)], 1e-4 * (1 + std::abs(shift)));
+        GDP_CHECK(nearest_eigenpairs(stiffness, mass, shift, count, on_one_thread, false) == GDP::ok);
+        GDP_CHECK(on_one_thread.values == pairs.values && on_one_thread.vectors == pairs.vectors);
+      }
+  }
+}
+
 // Filters columns by vertex.
 GDP::Error_code apply(const Rational_filter& filter, const Arrays& arrays, Eigen::MatrixXd& columns)
 {
@@ -137,9 +176,9 @@ void test_rational_filters()
   for(int order = 1; order <= 5; ++order)
   {
     const auto low = [order](double mu, double cut_off) { return 1 / (1 + std::pow(mu / cut_off, order)); };
-    const Rational_filter filters[4] = {Rational_filter::low_pass(12, order), Rational_filter::high_pass(12, order),
-                                        Rational_filter::band_pass(5, 20, order),
-                                        Rational_filter::band_stop(5, 20, order)};
+    const Rational_filter low_pass = Rational_filter::low_pass(12, order);
+    const Rational_filter band_pass = Rational_filter::band_pass(5, 20, order);
+    const Rational_filter filters[4] = {low_pass, low_pass.complement(), band_pass, band_pass.complement()};
     for(int i = 0; i < 4; ++i)
     {
       Eigen::MatrixXd filtered = pairs.vectors;
@@ -150,10 +189,14 @@ void test_rational_filters()
         const double band = low(mu, 20) - low(mu, 5);
         const double expected = i == 0 ? low(mu, 12) : i == 1 ? 1 - low(mu, 12) : i == 2 ? band : 1 - band;
         GDP_CHECK_NEAR(filters[i](mu), expected, 1e-12);
-        GDP_CHECK_NEAR(pairs.vectors.col(j).dot(mass * filtered.col(j)), expected, 1e-8);
+        GDP_CHECK_NEAR(filters[i].approximation(mu), expected, filters[i].error_bound());
+        GDP_CHECK_NEAR(pairs.vectors.col(j).dot(mass * filtered.col(j)), expected, filters[i].error_bound() + 1e-11);
         GDP_CHECK_NEAR((filtered.col(j) - expected * pairs.vectors.col(j)).cwiseAbs().maxCoeff(), 0, 1e-7);
       }
     }
+    GDP_CHECK(filters[0].error_bound() <= 1e-8 && filters[2].error_bound() <= 2e-8);
+    GDP_CHECK(order > 1 || filters[0].degree() == 1);
+    GDP_CHECK(filters[0].degree() <= 13 * order);
     GDP_CHECK_NEAR(filters[0](12), 0.5, 1e-13);
     GDP_CHECK_NEAR(filters[0](0), 1, 1e-13);
     GDP_CHECK(filters[0](24) <= std::pow(0.5, order) && filters[0](6) >= 1 - std::pow(0.5, order));
@@ -173,6 +216,47 @@ void test_rational_filters()
   const Eigen::MatrixXd rest_filtered =
     by_harmonics - pairs.vectors * (pairs.vectors.transpose() * (mass * by_harmonics));
   GDP_CHECK_NEAR((rest_filtered - 0.25 * rest).cwiseAbs().maxCoeff(), 0, 1e-10);
+}
+
+// The bound that is stated is kept, also where it takes another center; where it cannot be kept, there is none.
+void test_approximations()
+{
+  const Arrays sphere = arrays_of(icosphere(3));
+  const Sparse stiffness = stiffness_matrix(sphere), mass = diagonal(masses_of(sphere));
+  Eigenpairs pairs;
+  GDP_CHECK(lowest_eigenpairs(stiffness, mass, 40, pairs) == GDP::ok);
+  const std::function<double(double)> functions[4] = {
+    [](double mu) { return std::exp(-0.1 * mu); }, [](double mu) { return mu / (1 + 0.1 * mu + 0.02 * mu * mu); },
+    [](double mu) { return std::exp(-std::pow(mu - 12, 2) / 40) * std::cos(mu / 6); },
+    [](double mu) { return (std::max)(0., 1 - mu / 30); }};
+  for(int i = 0; i < 4; ++i)
+    for(double largest_error : {1e-2, 1e-3, 1e-7})
+    {
+      const Rational_filter filter = Rational_filter::approximation_near(10, functions[i], largest_error);
+      if(i == 3 && largest_error < 1e-2)
+      {
+        GDP_CHECK(std::isinf(filter.error_bound())); // it has a kink
+        continue;
+      }
+      GDP_CHECK(filter.error_bound() <= largest_error);
+      double most = 0;
+      for(double mu = 1e-4; mu < 1e7; mu *= 1.003)
+        most = (std::max)(most, std::abs(filter.approximation(mu) - functions[i](mu)));
+      GDP_CHECK(most <= filter.error_bound());
+      GDP_CHECK_NEAR(filter.approximation(0), functions[i](0), 1e-12);
+      Eigen::MatrixXd filtered = pairs.vectors;
+      GDP_CHECK(apply(filter, sphere, filtered) == GDP::ok);
+      for(int j = 0; j < 40; ++j)
+        GDP_CHECK_NEAR(pairs.vectors.col(j).dot(mass * filtered.col(j)), functions[i]((std::max)(0., pairs.values[j])),
+                       filter.error_bound() + 1e-11);
+    }
+  GDP_CHECK(Rational_filter::band_pass(5, 20, 4).series().size() == 1);
+  GDP_CHECK(Rational_filter::band_pass(0.01, 100, 4).series().size() == 2);
+  const auto exponential = [](double mu) { return std::exp(-mu); };
+  GDP_CHECK(Rational_filter::approximation_near(1, exponential, 1e-8).degree()
+            <= Rational_filter::approximation_near(16, exponential, 1e-8).degree() + 5);
+  GDP_CHECK(std::isinf(Rational_filter::approximation_near(1, [](double mu) { return mu; }, 1e-6).error_bound()));
+  GDP_CHECK(std::isinf(Rational_filter::approximation_near(1, [](double) { return std::nan(""); }, 1).error_bound()));
 }
 
 // A square whose border is constrained: pi^2 (i^2 + j^2), counted from one.
@@ -199,7 +283,9 @@ int main()
 {
   test_sphere();
   test_bands();
+  test_shifts();
   test_rational_filters();
+  test_approximations();
   test_constrained();
   return GDP_TEST_RESULT();
 }

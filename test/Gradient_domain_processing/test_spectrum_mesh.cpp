@@ -9,7 +9,12 @@
 #include "test_shapes.h"
 #include "test_utils.h"
 
+#include <CGAL/Gradient_domain_processing/Conjugate_gradient_solver_traits.h>
+#include <CGAL/Gradient_domain_processing/curvature_metric.h>
+#include <CGAL/Gradient_domain_processing/deformation_matrices.h>
 #include <CGAL/Gradient_domain_processing/filter_spectrum.h>
+#include <CGAL/Gradient_domain_processing/hessian_matrix.h>
+#include <CGAL/Gradient_domain_processing/mass_matrix.h>
 #include <CGAL/Gradient_domain_processing/spectrum.h>
 
 #include <algorithm>
@@ -17,6 +22,7 @@
 #include <cmath>
 #include <functional>
 #include <iostream>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -75,6 +81,62 @@ void test_bands()
       GDP_CHECK(GDP::filter_spectrum(mesh, sum, out, filter) == GDP::ok);
       GDP_CHECK_NEAR(distance(mesh, out, [&](Vertex v) { return by_harmonics[v]; }), 0, 0.01);
     }
+}
+
+// Steps with damped coefficients: one and zero but for ripples, steeper than a half at the cut-off; what is stated is
+// what happens.
+void test_windows()
+{
+  Mesh mesh = mesh_of(sphere(24).scaled(10));
+  const Signal_map second = signal_of(mesh, "v:second", [](const Point& p) { return p.x() * p.y() / 100; });
+  const Signal_map out = signal_of(mesh, "v:out", [](const Point&) { return 0; });
+  const double ripple[4] = {0.003, 0.008, 0.001, 0.0001};
+  const GDP::Spectral_window windows[4] = {GDP::Spectral_window::HAMMING, GDP::Spectral_window::HANN,
+                                           GDP::Spectral_window::BLACKMAN, GDP::Spectral_window::NUTTALL};
+  for(int i = 0; i < 4; ++i)
+  {
+    const Filter filter = Filter::windowed_low_pass(25, 40, windows[i]);
+    GDP_CHECK(filter.degree() == 40 && filter.error_bound() == 0);
+    GDP_CHECK_NEAR(filter(0), 1, 1e-14);
+    GDP_CHECK_NEAR(filter(Filter::eigenvalue(25)), 0.5, ripple[i]);
+    for(double factor = 1.35; factor < 1000; factor *= 1.01)
+    {
+      GDP_CHECK_NEAR(filter(Filter::eigenvalue(25 * factor)), 1, ripple[i]);
+      GDP_CHECK_NEAR(filter(Filter::eigenvalue(25 / factor)), 0, ripple[i]);
+    }
+    const Filter others[2] = {filter, filter.without(Filter::windowed_low_pass(40, 40, windows[i])).complement()};
+    for(const Filter& other : others)
+    {
+      GDP_CHECK(GDP::filter_spectrum(mesh, second, out, other) == GDP::ok);
+      GDP_CHECK_NEAR(distance(mesh, out, [&](Vertex v) { return other(0.06) * second[v]; }), 0, 0.02);
+    }
+  }
+}
+
+struct Notices : GDP::Default_visitor
+{
+  std::shared_ptr<int> count = std::make_shared<int>(0);
+  void notice(const std::string&) { ++*count; }
+};
+
+// A solver that does not converge gives way to one that does, and the visitor is told.
+void test_no_convergence()
+{
+  Mesh mesh = mesh_of(sphere(40));
+  const Signal_map in = signal_of(mesh, "v:in", [](const Point& p) { return std::sin(9 * p.x()) + p.y(); });
+  const Signal_map expected = signal_of(mesh, "v:expected", [](const Point&) { return 0; });
+  const Signal_map out = signal_of(mesh, "v:out", [](const Point&) { return 0; });
+  const auto function = [](double mu) { return 1 / (1 + mu / 40); };
+  for(const Filter& filter : {Filter::low_pass(0.7), Filter::approximation(function, 1)})
+  {
+    const Notices notices;
+    GDP_CHECK(GDP::filter_spectrum(mesh, in, expected, filter) == GDP::ok);
+    GDP_CHECK(GDP::filter_spectrum(mesh, in, out, filter, GDP::parameters::visitor(notices)
+                .sparse_linear_solver(GDP::Conjugate_gradient_solver_traits<>(1e-13, 1)))
+              == GDP::ok);
+    GDP_CHECK(*notices.count == 1);
+    GDP_CHECK_NEAR(distance(mesh, out, [&](Vertex v) { return expected[v]; }), 0, 1e-12);
+  }
 }
 
 // Constrained vertices and what is outside of a region keep their values; a function that is harmonic between them is
@@ -215,13 +277,137 @@ void test_transfer_functions()
   }
 }
 
+// The two eigenvalues of degree three that are nearest to a shift, in units of the mesh.
+void test_shift()
+{
+  Mesh mesh = mesh_of(sphere(16).scaled(10));
+  Eigen::VectorXd lowest, values;
+  Eigen::MatrixXd harmonics;
+  GDP_CHECK(GDP::spectrum(mesh, 20, lowest, harmonics) == GDP::ok);
+  GDP_CHECK(GDP::spectrum(mesh, 7, values, harmonics, GDP::parameters::spectral_shift(0.12)) == GDP::ok);
+  for(int j = 0; j < 7; ++j)
+    GDP_CHECK_NEAR(values[j], lowest[9 + j], 1e-10);
+  GDP_CHECK(GDP::spectrum(mesh, 7, values, harmonics, GDP::parameters::spectral_shift(HUGE_VAL))
+            == GDP::error_invalid_parameter);
+}
+
+// A metric that stretches one half of a square: with areas of its own it is a longer square; with those of the
+// embedding, a conductance (omega tan(omega / 2) + omega / 2 tan(omega) = 0 for waves across).
+void test_embedding_measure()
+{
+  Mesh mesh = mesh_of(grid(32, 8, [](double u, double v) { return Vec(u, 0.25 * v, 0); }));
+  auto metrics = mesh.add_property_map<Face, GDP::Triangle_metric>("f:metric").first;
+  for(Face f : mesh.faces())
+  {
+    const auto h = mesh.halfedge(f); // a metric's corners begin with its source
+    std::vector<Vec> p;
+    for(Vertex v : {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))})
+      p.emplace_back(mesh.point(v).x(), mesh.point(v).y(), 0);
+    const double stretch = (p[0] + p[1] + p[2]).x() < 1.5 ? 1 : 4;
+    metrics[f] = GDP::Triangle_metric::stretched(p[0], p[1], p[2], stretch, Vec::UnitX(), 1, Vec::UnitY());
+  }
+  Eigen::VectorXd values;
+  Eigen::MatrixXd harmonics;
+  GDP_CHECK(GDP::spectrum(mesh, 2, values, harmonics, GDP::parameters::face_metric_map(metrics)) == GDP::ok);
+  GDP_CHECK_NEAR(values[1] / std::pow(pi / 1.5, 2), 1, 0.01);
+  GDP_CHECK(GDP::spectrum(mesh, 2, values, harmonics,
+                          GDP::parameters::face_metric_map(metrics).embedding_measure(true))
+            == GDP::ok);
+  GDP_CHECK_NEAR(values[1] / std::pow(2 * std::atan(std::sqrt(2.)), 2), 1, 0.01);
+  GDP_CHECK_NEAR(harmonics.col(0).cwiseAbs().maxCoeff(), 2, 1e-9); // one over the root of the area
+}
+
+// On a cylinder waves around it are slowed down, those along it are not: the spectrum sees the direction of curvature.
+void test_curvature_direction()
+{
+  const double radius = 0.5, a = 3;
+  Mesh mesh;
+  const int n = 48, m = 24;
+  std::vector<Vertex> ring;
+  for(int j = 0; j <= m; ++j)
+    for(int i = 0; i < n; ++i)
+      ring.push_back(mesh.add_vertex(Point(radius * std::cos(2 * pi * i / n), radius * std::sin(2 * pi * i / n),
+                                           pi / 2 * j / m)));
+  for(int j = 0; j < m; ++j)
+    for(int i = 0; i < n; ++i)
+    {
+      const auto at = [&](int k, int l) { return ring[std::size_t((j + l) * n + (i + k) % n)]; };
+      mesh.add_face(at(0, 0), at(1, 0), at(1, 1));
+      mesh.add_face(at(0, 0), at(1, 1), at(0, 1));
+    }
+  auto metrics = mesh.add_property_map<Face, GDP::Triangle_metric>("f:metric").first;
+  const auto slowness = [&](double k1, double k2) {
+    return std::make_pair(1 + a * std::abs(k1), 1 + a * std::abs(k2));
+  };
+  GDP_CHECK(GDP::curvature_metric(mesh, metrics, GDP::parameters::curvature_metric_kind(slowness)
+              .presmoothing_weight(0)) == GDP::ok);
+  Eigen::VectorXd values, plain;
+  Eigen::MatrixXd harmonics;
+  GDP_CHECK(GDP::spectrum(mesh, 6, plain, harmonics) == GDP::ok);
+  GDP_CHECK(GDP::spectrum(mesh, 6, values, harmonics,
+                          GDP::parameters::face_metric_map(metrics).embedding_measure(true))
+            == GDP::ok);
+  // along: 4 j^2; around: m^2 / radius^2, twice each, over 1 + a / radius
+  const double of_plain[6] = {0, 4, 4, 4, 8, 8};
+  const double around = 4 / (1 + a / radius);
+  const double expected[6] = {0, around, around, 4 * around, 4 * around, 4};
+  for(int j = 0; j < 6; ++j)
+  {
+    GDP_CHECK_NEAR(plain[j], of_plain[j], 0.06);
+    GDP_CHECK_NEAR(values[j], expected[j], 0.15);
+  }
+}
+
+// Modes of a shell: six rigid motions, then what costs energy; and of the bi-Laplacian of a sphere.
+void test_spectra_of_matrices()
+{
+  Mesh mesh = mesh_of(sphere(8));
+  mesh.add_vertex(Point(1, 2, 3)); // without a face
+  Eigen::SparseMatrix<double> mass, shell, hessian;
+  GDP_CHECK(GDP::mass_matrix(mesh, mass) == GDP::ok && GDP::shell_hessian_matrix(mesh, 1, 1, 1, shell) == GDP::ok
+            && GDP::hessian_matrix(mesh, GDP::Hessian_kind::BILAPLACIAN, hessian) == GDP::ok);
+  Eigen::SparseMatrix<double> mass_of_shell(3 * mass.rows(), 3 * mass.rows());
+  std::vector<Eigen::Triplet<double> > entries;
+  for(int j = 0; j < int(mass.cols()); ++j)
+    for(Eigen::SparseMatrix<double>::InnerIterator it(mass, j); it; ++it)
+      for(int k = 0; k < 3; ++k)
+        entries.emplace_back(3 * int(it.row()) + k, 3 * j + k, it.value());
+  mass_of_shell.setFromTriplets(entries.begin(), entries.end());
+
+  Eigen::VectorXd values;
+  Eigen::MatrixXd vectors;
+  GDP_CHECK(GDP::spectrum(shell, mass_of_shell, 20, values, vectors) == GDP::ok);
+  GDP_CHECK(values.size() == 20 && vectors.rows() == 3 * int(mass.rows()));
+  for(int j = 0; j < 6; ++j)
+    GDP_CHECK_NEAR(values[j], 0, 1e-9 * values[19]);
+  GDP_CHECK(values[6] > 1e-3 * values[19]);
+  const Eigen::MatrixXd residual = shell * vectors - mass_of_shell * vectors * values.asDiagonal();
+  GDP_CHECK_NEAR(residual.cwiseAbs().maxCoeff(), 0, 1e-7 * values[19]);
+
+  GDP_CHECK(GDP::spectrum(hessian, mass, 9, values, vectors) == GDP::ok);
+  for(int j = 0; j < 9; ++j)
+    GDP_CHECK_NEAR(values[j], j == 0 ? 0 : j < 4 ? 4 : 36, j < 4 ? 0.5 : 7);
+  std::vector<char> is_constrained(std::size_t(mass.rows()), 0);
+  is_constrained[3] = 1;
+  GDP_CHECK(GDP::spectrum(hessian, mass, 2, values, vectors,
+                          GDP::parameters::vertex_is_constrained_map(CGAL::make_property_map(is_constrained))
+                            .spectral_shift(4))
+            == GDP::ok);
+  GDP_CHECK(vectors.row(3).isZero(0) && std::abs(values[0] - 4) < 0.5);
+  GDP_CHECK(GDP::spectrum(hessian, shell, 2, values, vectors) == GDP::error_invalid_parameter);
+}
+
 void test_refusals()
 {
   Mesh mesh = mesh_of(grid(4, 4, [](double u, double v) { return Vec(u, v, 0); }));
   const Signal_map out = signal_of(mesh, "v:out", [](const Point& p) { return p.x(); });
   const double infinity = HUGE_VAL, nan = std::nan("");
   for(const Filter& filter : {Filter::low_pass(0), Filter::low_pass(-1), Filter::high_pass(nan),
-                              Filter::band_pass(1, infinity), Filter::band_stop(1, 0), Filter::low_pass(1, 0)})
+                              Filter::band_pass(1, infinity), Filter::band_stop(1, 0), Filter::low_pass(1, 0),
+                              Filter::band_pass(1, nan), Filter::windowed_low_pass(1, 0),
+                              Filter::windowed_low_pass(nan), Filter::approximation([](double mu) { return mu; }, 1),
+                              Filter::approximation([](double) { return 1.; }, 0),
+                              Filter::approximation([](double mu) { return mu; }, 1).complement()})
     GDP_CHECK(GDP::filter_spectrum(mesh, out, out, filter) == GDP::error_invalid_parameter);
   const auto not_finite = [&](double) { return nan; };
   GDP_CHECK(GDP::filter_spectrum(mesh, out, out, not_finite) == GDP::error_invalid_parameter);
@@ -262,8 +448,14 @@ int main()
   GDP_CHECK(GDP::spectrum(mesh, 100000, values, harmonics) == GDP::error_invalid_parameter);
   GDP_CHECK(GDP::spectrum(Mesh(), 1, values, harmonics) == GDP::error_empty_mesh && values == before);
   test_bands();
+  test_windows();
+  test_no_convergence();
   test_constrained_bands();
   test_equivariance();
+  test_shift();
+  test_embedding_measure();
+  test_curvature_direction();
+  test_spectra_of_matrices();
   test_refusals();
   test_transfer_functions();
   return GDP_TEST_RESULT();

@@ -9,6 +9,7 @@
 #include "test_shapes.h"
 #include "test_utils.h"
 
+#include <CGAL/Gradient_domain_processing/denoise.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/offset_to_volumes.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/polygon_fans.h>
 #include <CGAL/Gradient_domain_processing/smooth.h>
@@ -198,6 +199,38 @@ void test_polygon_area()
   GDP_CHECK_NEAR(area({Vec(0, 0, 0), Vec(2, 0, 0), Vec(2, 1, 0), Vec(1, 2, 0), Vec(0, 1, 0)}), 3, 1e-12);
 }
 
+// A closed soup encloses nothing that one could speak of where a triangle is the wrong way around, or a wall has rooms
+// on both sides.
+void test_soups_without_orientation()
+{
+  const Shape ball = sphere(4);
+  Shape turned = ball, walled = ball;
+  std::swap(turned.triangles[5][1], turned.triangles[5][2]);
+  const int center = int(walled.points.size());
+  walled.points.push_back(Vec(0, 0, 0)); // a fan from a closed ring of edges to the center
+  int west = 0;
+  for(int v = 0; v < center; ++v)
+    if(ball.points[v].x() < ball.points[west].x())
+      west = v;
+  for(const auto& t : ball.triangles)
+    for(int i = 0; i < 3; ++i)
+      if(t[(i + 2) % 3] == west)
+        walled.triangles.push_back({{t[i], t[(i + 1) % 3], center}});
+  for(const Shape& shape : {ball, turned, walled})
+  {
+    std::vector<Point> points;
+    for(const Vec& p : shape.points)
+      points.push_back(Point(p.x(), p.y(), p.z()));
+    const std::vector<Point> before = points;
+    const GDP::Error_code code =
+      GDP::smooth(points, shape.triangles, GDP::parameters::gradient_weight(1e-3).restore_volume(true));
+    GDP_CHECK(code == (shape.triangles == ball.triangles ? GDP::ok : GDP::error_no_volume));
+    GDP_CHECK((points == before) == (code != GDP::ok));
+    points = before;
+    GDP_CHECK(GDP::denoise(points, shape.triangles) == GDP::ok); // by default only where there is a volume
+  }
+}
+
 // Passes that would shrink a sphere to a point, one after the other.
 void test_many_passes()
 {
@@ -218,6 +251,7 @@ int main()
   test_many_passes();
   test_closed_meshes();
   test_meshes_without_volume();
+  test_soups_without_orientation();
   test_offsets();
   test_polygon_area();
   return GDP_TEST_RESULT();

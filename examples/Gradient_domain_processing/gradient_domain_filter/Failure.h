@@ -13,6 +13,7 @@
 // The work failed: exit code 1.
 struct Failure : std::runtime_error
 {
+  using std::runtime_error::runtime_error;
   Failure(const std::string& file, const std::string& what) : std::runtime_error(file + ": " + what) {}
 };
 

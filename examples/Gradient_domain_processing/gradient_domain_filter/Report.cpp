@@ -6,11 +6,11 @@
 
 #include "Report.h"
 
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <utility>
 
 #if defined(__unix__) || defined(__APPLE__)
@@ -98,6 +98,18 @@ public:
   std::string text() const { return m_text + "\n" + m_indent + "}"; }
 };
 
+struct Range
+{
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+
+  void add(double x)
+  {
+    low = x < low ? x : low; // NaN is not
+    high = x > high ? x : high;
+  }
+  double extent() const { return high > low ? high - low : 0; }
+};
+
 // The weights that the operation really used, with their names; a property in quotes where one gave them.
 std::vector<std::pair<std::string, std::string> > used_weights(const Options& o)
 {
@@ -161,26 +173,77 @@ void add_survey(const Survey& survey, Json_object& all)
 
 } // namespace
 
-void Report::measure(const std::vector<std::vector<double> >& before, const std::vector<std::vector<double> >& after)
+bool Report::measure(const std::vector<std::vector<double> >& before, const std::vector<std::vector<double> >& after)
 {
   const std::size_t n = after.empty() ? 0 : after[0].size();
-  const bool is_new = before.size() != after.size();
+  if(before.size() != after.size())
+  {
+    changed_values = n;
+    return true;
+  }
+  const bool has_parts = survey && survey->part_of_vertex.size() == n;
+  displacement_of_part.assign(has_parts ? survey->parts.size() : 0, 0.);
+  bool is_filled = false;
+  std::vector<Range> was(after.size()), is(after.size()); // of what has changed
   for(std::size_t i = 0; i < n; ++i)
   {
     double change = 0;
-    bool is_changed = is_new;
-    for(std::size_t c = 0; c < after.size() && !is_new; ++c)
+    bool is_changed = false;
+    for(std::size_t c = 0; c < after.size(); ++c)
     {
       is_changed =
         is_changed || !(before[c][i] == after[c][i] || (std::isnan(before[c][i]) && std::isnan(after[c][i])));
       if(const double x = after[c][i] - before[c][i]; std::isfinite(x))
         change = std::hypot(change, x);
+      is_filled = is_filled || (std::isnan(before[c][i]) && !std::isnan(after[c][i]));
+    }
+    for(std::size_t c = 0; c < after.size() && is_changed; ++c)
+    {
+      was[c].add(before[c][i]);
+      is[c].add(after[c][i]);
     }
     changed_values += is_changed;
     max_displacement = (std::max)(max_displacement, change);
     mean_displacement += change / double(n);
+    if(has_parts && survey->part_of_vertex[i] >= 0)
+    {
+      double& most = displacement_of_part[std::size_t(survey->part_of_vertex[i])];
+      most = (std::max)(most, change);
+    }
   }
+  double rounding = 0, extent_before = 0, extent_after = 0;
+  for(std::size_t c = 0; c < after.size() && changed_values > 0; ++c)
+  {
+    rounding =
+      (std::max)({rounding, 1e-12 * is[c].extent(), 1e-15 * std::abs(is[c].high), 1e-15 * std::abs(is[c].low)});
+    extent_before = (std::max)(extent_before, was[c].extent());
+    extent_after = (std::max)(extent_after, is[c].extent());
+  }
+  if(extent_before > 0)
+    extent_ratio = extent_after / extent_before;
+  return is_filled || (changed_values > 0 && max_displacement > rounding);
 }
+
+namespace {
+
+// Parts whose vertices move by less than a thousandth of an edge, while others do move.
+std::string idle_parts(const Survey& survey, const std::vector<double>& displacements)
+{
+  std::size_t idle = 0, first = 0;
+  for(std::size_t i = 0; i < displacements.size(); ++i)
+    if(displacements[i] < 1e-3 * std::sqrt(survey.parts[i].area / double(survey.parts[i].faces)))
+    {
+      first = idle == 0 ? survey.parts[i].first_face : first;
+      ++idle;
+    }
+  if(idle == 0)
+    return std::string();
+  return std::to_string(idle) + (idle == 1 ? " part hardly moves" : " parts hardly move") + ", "
+         + (idle == 1 ? "that" : "first that") + " of face " + std::to_string(first)
+         + ": the gradient weight is small for such large faces";
+}
+
+} // namespace
 
 std::vector<std::string> Report::remarks(const Options& o) const
 {
@@ -189,9 +252,25 @@ std::vector<std::string> Report::remarks(const Options& o) const
     return remarks;
   const bool has_one_weight =
     o.is_of_paper() && o.signal != Signal_kind::CURVATURE && o.gradient_weight_property.empty();
-  for(const std::string& remark :
-      survey->remarks(o.weld_tolerance.has_value(), o.weld_tolerance.value_or(0) > 0, has_one_weight))
+  const bool near_ones_are_welded =
+    o.weld_tolerance.value_or(0) > 0
+    && std::any_of(notices.begin(), notices.end(),
+                   [](const std::string& s) { return s.find("welded") != std::string::npos; });
+  for(const std::string& remark : survey->remarks(o.weld_tolerance.has_value(), near_ones_are_welded, has_one_weight))
     remarks.push_back(remark);
+  const bool is_everywhere = o.moves_vertices() && o.region_property.empty() && o.constrained_property.empty();
+  if(has_one_weight && !near_ones_are_welded && is_everywhere)
+    if(const std::string idle = idle_parts(*survey, displacement_of_part); !idle.empty())
+      remarks.push_back(idle);
+  const bool keeps_extent = o.operation != Operation::HIGH_PASS && o.operation != Operation::BAND_PASS
+                            && o.operation != Operation::FAIR;
+  if(is_everywhere && keeps_extent && !(extent_ratio > 0.2 && extent_ratio < 5))
+    remarks.push_back("what has changed is " + number(extent_ratio, "%.2g")
+                      + " times as large as before: are the weights, or wavelengths, those that were meant?");
+  if(o.operation == Operation::FILTER && o.moves_vertices() && o.value_weight == 0 && o.value_weight_property.empty()
+     && o.hessian_weight == 0 && !o.constrained_property.empty())
+    remarks.push_back(
+      "without a value weight the surface is spanned like a soap film; --operation fair goes on smoothly");
   if(o.has_metric() && o.curvature == CGAL::Gradient_domain_processing::Curvature_estimator::JETS
      && 20 * survey->needles > survey->faces)
     remarks.push_back(

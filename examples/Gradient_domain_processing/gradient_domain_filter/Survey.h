@@ -23,6 +23,9 @@ struct Survey
   std::size_t needles = 0;           // more than twenty times as long as wide
   std::size_t components = 0, lone_faces = 0; // connected at vertices
   std::size_t seam_vertices = 0;     // at the border, at the same place as another one
+  struct Part { std::size_t first_face, faces; double area; };
+  std::vector<Part> parts;           // the components, in the order of their first faces
+  std::vector<int> part_of_vertex;   // negative without a face; empty if there is one part only
   double area = 0, smallest_extent = 0, largest_extent = 0; // of components
 
   // What a stranger will trip over, a line each. Where vertices that are near are welded, too, parts are not what they
@@ -30,6 +33,7 @@ struct Survey
   std::vector<std::string> remarks(bool seams_are_welded, bool near_ones_are_welded, bool has_one_weight) const;
 };
 
-Survey survey(const std::vector<Point>& points, const Polygons& polygons);
+// Needles are counted where somebody wants to know.
+Survey survey(const std::vector<Point>& points, const Polygons& polygons, bool counts_needles);
 
 #endif // GRADIENT_DOMAIN_FILTER_SURVEY_H

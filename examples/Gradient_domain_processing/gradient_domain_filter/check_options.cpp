@@ -105,8 +105,8 @@ void check_beyond(const po::variables_map& given, const Options& o)
   require(given, {"region-vertices"}, is_fair, "--operation fair");
   require(given, {"wavelengths", "order"}, o.is_band(), "--operation low-pass, high-pass, band-pass or band-stop");
   require(given, {"count", "eigenvalues"}, is_spectrum, "--operation spectrum");
-  if(is_fair && o.region_vertices_property.empty())
-    throw Usage_error("--operation fair needs --region-vertices");
+  if(is_fair && o.region_vertices_property.empty() && o.constrained_property.empty())
+    throw Usage_error("--operation fair needs --region-vertices, or --constrain and moves all others");
   const std::size_t needed = o.operation == Operation::LOW_PASS || o.operation == Operation::HIGH_PASS ? 1 : 2;
   if(o.is_band() && o.wavelengths.size() != needed)
     throw Usage_error("--operation " + o.operation_name + " needs --wavelengths with "
@@ -137,6 +137,8 @@ void check_operation(const po::variables_map& given, const Options& o)
             "gradient-weight-property", "gradient-scale-property", "hessian-weight", "non-shrinking", "restore-volume",
             "solver"},
            "--operation denoise, which chooses from the data");
+  if(o.operation == Operation::DENOISE && is_given(given, "value-weight") && !(o.value_weight > 0))
+    throw Usage_error("--value-weight of --operation denoise is larger than 0");
   if(o.operation == Operation::DENOISE && o.non_manifold == GDP::Border_condition::ALONG_BORDER)
     throw Usage_error(
       "--non-manifold along-lines contradicts --operation denoise, which leaves such lines free or fixed");

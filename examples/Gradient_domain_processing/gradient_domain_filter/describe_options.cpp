@@ -75,7 +75,7 @@ po::options_description place_options(Options& o)
     ("region", po::value(&o.region_property)->value_name("PROPERTY"),
      "only faces all of whose vertices have another number than 0 are worked on; all other vertices are kept")
     ("region-vertices", po::value(&o.region_vertices_property)->value_name("PROPERTY"),
-     "fair moves the vertices where it is not 0")
+     "fair moves the vertices where it is not 0; without it those where that of --constrain is 0")
     ("value-weight-property", po::value(&o.value_weight_property)->value_name("PROPERTY"), "alpha at every vertex")
     ("gradient-weight-property", po::value(&o.gradient_weight_property)->value_name("PROPERTY"),
      "beta at every vertex; that of a face is the mean of its three")

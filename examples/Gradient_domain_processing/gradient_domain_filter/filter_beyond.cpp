@@ -7,10 +7,13 @@
 #include "Failure.h"
 #include "filter_parts.h"
 #include "normals.h"
+#include "seams.h"
 
 #include <CGAL/Gradient_domain_processing/fair.h>
 #include <CGAL/Gradient_domain_processing/filter_spectrum.h>
 #include <CGAL/Gradient_domain_processing/spectrum.h>
+
+#include <numeric>
 
 // The operations that are not of the paper: fair patches, bands of waves, harmonics.
 namespace {
@@ -44,10 +47,14 @@ Error_code filter_signal(const Options& options, Mesh_file& file, const Filtered
   if(options.signal == Signal_kind::COLOR)
   {
     std::vector<Three_channels> colors = color_signal(options, file);
-    const Error_code code = filtered(colors);
-    if(code == GDP::ok)
-      set_color_signal(colors, {}, file);
-    return code;
+    const Column* const column = file.vertex_columns.find("alpha");
+    std::vector<double> alpha = column ? column->values : std::vector<double>();
+    if(const Error_code code = filtered(colors))
+      return code;
+    if(const Error_code code = alpha.empty() ? GDP::ok : filtered(alpha))
+      return code;
+    set_color_signal(colors, alpha, file);
+    return GDP::ok;
   }
   if(options.signal == Signal_kind::PROPERTY)
   {
@@ -77,14 +84,17 @@ Error_code filter_signal(const Options& options, Mesh_file& file, const Filtered
 Error_code fair_mesh(const Options& options, Mesh_file& file, Stage_clock& clock, Filter_facts& facts)
 {
   Filter_input input(options, file);
+  const bool is_named = !options.region_vertices_property.empty(); // else all that are not constrained
+  const std::string& name = is_named ? options.region_vertices_property : options.constrained_property;
   std::vector<std::size_t> region;
-  const std::vector<double>& selected = vertex_property(options, file, options.region_vertices_property);
+  const std::vector<double>& selected = vertex_property(options, file, name);
   for(std::size_t v = 0; v < selected.size(); ++v)
-    if(selected[v] != 0)
+    if((selected[v] != 0) == is_named)
       region.push_back(v);
   if(region.empty())
-    facts.why_unchanged = "the region is empty: no vertex has another " + options.region_vertices_property + " than 0";
-  facts.solver = "cholesky";
+    facts.why_unchanged =
+      "the region is empty: " + (is_named ? "no vertex has another " + name + " than 0" : name + " is 0 at no vertex");
+  facts.solver = default_solver_name();
   return GDP::fair(region, file.points, file.polygons,
                    common_parameters(options, input, clock, GDP::Default_sparse_linear_solver()));
 }
@@ -98,7 +108,7 @@ Error_code filter_bands(const Options& options, Mesh_file& file, Stage_clock& cl
     .curvature_estimator(options.curvature)
     .jet_degree(options.jet_degree)
     .presmoothing_weight(options.presmoothing_weight);
-  facts.solver = "cholesky";
+  facts.solver = default_solver_name();
   const GDP::Spectral_filter filter = spectral_filter(options);
   return in_region(input, facts, [&](const auto&... faces) {
     return filter_signal(options, file, [&](auto& values) {
@@ -108,15 +118,32 @@ Error_code filter_bands(const Options& options, Mesh_file& file, Stage_clock& cl
   });
 }
 
-Error_code write_spectrum(const Options& options, Mesh_file& file, Filter_facts& facts)
+Error_code write_spectrum(const Options& options, Mesh_file& file, Stage_clock& clock, Filter_facts& facts)
 {
   Filter_input input(options, file);
+  std::vector<int> first(file.points.size());
+  std::iota(first.begin(), first.end(), 0);
+  if(options.weld_tolerance)
+    first = first_in_place(file.points, file.polygons);
+  Polygons polygons = file.polygons;
+  for(int& v : polygons.corners)
+    v = first[std::size_t(v)];
+  std::size_t welded = 0;
+  for(std::size_t v = 0; v < first.size(); ++v)
+    if(first[v] != int(v))
+    {
+      ++welded;
+      input.is_constrained[std::size_t(first[v])] |= input.is_constrained[v];
+    }
+  if(welded > 0)
+    clock.notice(std::to_string(welded) + (welded == 1 ? " vertex at a seam was welded to another"
+                                                       : " vertices at seams were welded to others"));
   Eigen::VectorXd eigenvalues;
   Eigen::MatrixXd harmonics;
   const auto np = GDP::parameters::vertex_is_constrained_map(Array_map<char>{&input.is_constrained});
-  facts.solver = "cholesky";
+  facts.solver = default_solver_name();
   if(const Error_code code =
-       GDP::spectrum(file.points, file.polygons, options.number_of_harmonics, eigenvalues, harmonics, np))
+       GDP::spectrum(file.points, polygons, options.number_of_harmonics, eigenvalues, harmonics, np))
     return code;
   facts.eigenvalues.assign(eigenvalues.data(), eigenvalues.data() + eigenvalues.size());
   for(int k = 0; k < int(harmonics.cols()); ++k)
@@ -124,7 +151,7 @@ Error_code write_spectrum(const Options& options, Mesh_file& file, Filter_facts&
     Column& column =
       file.vertex_columns.find_or_add("harmonic_" + std::to_string(k), Number_type::DOUBLE, file.points.size());
     for(std::size_t v = 0; v < file.points.size(); ++v)
-      column.values[v] = Eigen::Index(v) < harmonics.rows() ? harmonics(Eigen::Index(v), k) : 0.;
+      column.values[v] = first[v] < int(harmonics.rows()) ? harmonics(first[v], k) : 0.;
     column.is_changed = true;
   }
   return GDP::ok;

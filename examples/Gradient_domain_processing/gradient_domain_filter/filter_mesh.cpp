@@ -21,9 +21,11 @@ Error_code filter_with_best(const Options& options, Mesh_file& file, Stage_clock
   if(!prefers_conjugate_gradients(options, file))
     return filter_with_default(options, file, clock, facts);
   const auto code = filter_with_cg(options, file, clock, facts);
-  return code == CGAL::Gradient_domain_processing::error_not_converged
-           ? filter_with_default(options, file, clock, facts)
-           : code;
+  if(code != CGAL::Gradient_domain_processing::error_not_converged)
+    return code;
+  clock.notice("conjugate gradients did not converge; the system is solved by Cholesky factorization");
+  facts = Filter_facts();
+  return filter_with_default(options, file, clock, facts);
 }
 
 // On failure the points are what they were.
@@ -49,7 +51,7 @@ Error_code filter(const Options& options, Mesh_file& file, Stage_clock& clock, F
   if(options.operation == Operation::FAIR)
     return fair_mesh(options, file, clock, facts);
   if(options.operation == Operation::SPECTRUM)
-    return write_spectrum(options, file, facts);
+    return write_spectrum(options, file, clock, facts);
   if(options.is_band())
     return filter_bands(options, file, clock, facts);
   if(options.signal == Signal_kind::PROPERTY && property_signal(options, file).is_at_faces)

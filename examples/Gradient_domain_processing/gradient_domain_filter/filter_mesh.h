@@ -38,7 +38,7 @@ CGAL::Gradient_domain_processing::Error_code filter_with_cg(const Options&, Mesh
 CGAL::Gradient_domain_processing::Error_code denoise_mesh(const Options&, Mesh_file&, Stage_clock&, Filter_facts&);
 CGAL::Gradient_domain_processing::Error_code fair_mesh(const Options&, Mesh_file&, Stage_clock&, Filter_facts&);
 CGAL::Gradient_domain_processing::Error_code filter_bands(const Options&, Mesh_file&, Stage_clock&, Filter_facts&);
-CGAL::Gradient_domain_processing::Error_code write_spectrum(const Options&, Mesh_file&, Filter_facts&);
+CGAL::Gradient_domain_processing::Error_code write_spectrum(const Options&, Mesh_file&, Stage_clock&, Filter_facts&);
 CGAL::Gradient_domain_processing::Error_code filter_face_properties(const Options&, Mesh_file&, Stage_clock&,
                                                                     Filter_facts&);
 

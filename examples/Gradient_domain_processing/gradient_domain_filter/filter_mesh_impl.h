@@ -15,7 +15,9 @@
 #include <CGAL/Gradient_domain_processing/fit_to_normals.h>
 #include <CGAL/Gradient_domain_processing/smooth.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace filter_mesh_impl {
 
@@ -153,8 +155,17 @@ private:
     Property_signal signal = property_signal(m_options, m_file);
     return with_solver(np, [&](const auto& filtered) {
       for(std::vector<double>& values : signal.values)
+      {
+        const auto missing = [&] {
+          return std::count_if(values.begin(), values.end(), [](double x) { return std::isnan(x); });
+        };
+        const auto before = missing();
         if(const Error_code code = filtered(values))
           return code;
+        if(const auto filled = before - missing(); filled > 0)
+          m_clock.notice(std::to_string(filled) + (filled == 1 ? " missing value was" : " missing values were")
+                         + " filled in");
+      }
       signal.set();
       return GDP::ok;
     });

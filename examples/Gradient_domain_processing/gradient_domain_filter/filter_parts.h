@@ -82,6 +82,16 @@ auto common_parameters(const Options& options, Filter_input& input, Stage_clock&
     .vertex_is_constrained_map(Array_map<char>{&input.is_constrained});
 }
 
+// What Default_sparse_linear_solver is, for the report.
+inline const char* default_solver_name()
+{
+#ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD
+  return "cholmod";
+#else
+  return "eigen";
+#endif
+}
+
 // Calls verb(), or verb(region) where there is one.
 template <class Verb>
 Error_code in_region(const Filter_input& input, Filter_facts& facts, const Verb& verb)

@@ -8,6 +8,10 @@
 
 #include <CGAL/Gradient_domain_processing/Conjugate_gradient_solver_traits.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
 using CGAL::Gradient_domain_processing::Error_code;
 
 typedef CGAL::Gradient_domain_processing::Conjugate_gradient_solver_traits<> Conjugate_gradients;
@@ -15,9 +19,12 @@ typedef CGAL::Gradient_domain_processing::Conjugate_gradient_solver_traits<> Con
 Error_code filter_with_cg(const Options& options, Mesh_file& file, Stage_clock& clock, Filter_facts& facts)
 {
   filter_mesh_impl::Filter<Conjugate_gradients> filter(options, file, clock, facts);
-  facts.solver = "cg";
+  const std::size_t notices = clock.notices().size();
   const Error_code code = filter.run();
-  if(code == CGAL::Gradient_domain_processing::ok)
+  const bool has_converged = std::none_of(clock.notices().begin() + std::ptrdiff_t(notices), clock.notices().end(),
+                                          [](const std::string& s) { return s.find("Cholesky") != std::string::npos; });
+  facts.solver = has_converged ? "cg" : filter_mesh_impl::default_solver_name();
+  if(code == CGAL::Gradient_domain_processing::ok && has_converged)
     facts.iterations = double(filter.solver().iterations());
   return code;
 }

@@ -13,8 +13,8 @@ Error_code filter_with_default(const Options& options, Mesh_file& file, Stage_cl
 {
   filter_mesh_impl::Filter<Default_sparse_linear_solver> filter(options, file, clock, facts);
   const Error_code code = filter.run();
+  facts.solver = filter_mesh_impl::default_solver_name();
 #ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD
-  facts.solver = "cholmod";
   const cholmod_common& common = filter.solver().solver().cholmod();
   if(code == CGAL::Gradient_domain_processing::ok && common.lnz > 0)
   {
@@ -22,7 +22,6 @@ Error_code filter_with_default(const Options& options, Mesh_file& file, Stage_cl
     facts.factor_non_zeros = common.lnz;
   }
 #else
-  facts.solver = "eigen";
   if(code == CGAL::Gradient_domain_processing::ok && filter.solver().solver().rows() > 0)
     facts.factor_non_zeros = double(filter.solver().solver().matrixL().nestedExpression().nonZeros());
 #endif

@@ -135,7 +135,8 @@ void set_normal_signal(const Options& options, const std::vector<Three_channels>
 std::vector<Three_channels> color_signal(const Options& options, const Mesh_file& file)
 {
   if(!file.vertex_columns.has_colors())
-    throw Failure(options.input_name(), "no vertex colors");
+    throw Failure(options.input_name(), "no vertex colors, as red, green and blue; there are: "
+                                          + names_of(file.vertex_columns));
   return three_columns(file.vertex_columns, color_names);
 }
 
@@ -210,4 +211,25 @@ std::vector<std::vector<double> > signal_values(const Options& options, const Me
         break;
       }
   return values;
+}
+
+std::vector<std::string> rounded_signals(const Options& options, const Mesh_file& file, const Output_form& form)
+{
+  std::vector<std::string> rounded;
+  if(file.format != File_format::PLY || form.format != File_format::PLY)
+    return rounded;
+  const auto& properties = file.vertex_records.properties;
+  if(options.moves_vertices() && form.precision == Precision::DEFAULT
+     && std::any_of(file.coordinate_places.begin(), file.coordinate_places.end(),
+                    [&](int place) { return is_integer(properties[std::size_t(place)].type); }))
+    rounded.push_back("the file has integers for coordinates, and the result is rounded to such: --precision double "
+                      "writes reals");
+  for(const std::string& name : options.signal_properties)
+  {
+    const Column* const at_vertices = file.vertex_columns.find(name);
+    const Column* const column = at_vertices ? at_vertices : file.face_columns.find(name);
+    if(column && is_integer(column->type))
+      rounded.push_back("the property " + name + " has integers, and the result is rounded to such");
+  }
+  return rounded;
 }

@@ -49,4 +49,7 @@ void set_curvature(const std::vector<double>& total_curvature, Mesh_file& file);
 // What the filter works on, as columns, to see what has changed.
 std::vector<std::vector<double> > signal_values(const Options& options, const Mesh_file& file);
 
+// What of it is rounded to integers, as the file has them.
+std::vector<std::string> rounded_signals(const Options& options, const Mesh_file& file, const Output_form& form);
+
 #endif // GRADIENT_DOMAIN_FILTER_SIGNAL_H

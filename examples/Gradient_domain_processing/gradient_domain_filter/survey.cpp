@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace {
 
@@ -19,14 +20,16 @@ class Surveyor
 {
   const std::vector<Point>& m_points;
   const Polygons& m_polygons;
+  bool m_counts_needles;
   Survey m_survey;
   std::vector<char> m_is_on_border, m_is_at_odd_edge;
   std::vector<int> m_parent; // of vertices that are joined
 
 public:
-  Surveyor(const std::vector<Point>& points, const Polygons& polygons)
+  Surveyor(const std::vector<Point>& points, const Polygons& polygons, bool counts_needles)
     : m_points(points)
     , m_polygons(polygons)
+    , m_counts_needles(counts_needles)
     , m_is_on_border(points.size(), 0)
     , m_is_at_odd_edge(points.size(), 0)
     , m_parent(points.size())
@@ -40,7 +43,7 @@ public:
     count_edges();
     count_repeated_faces();
     count_seams();
-    measure_components();
+    measure_parts();
     return m_survey;
   }
 
@@ -162,53 +165,83 @@ private:
       m_survey.seam_vertices += n > 1 ? n : 0;
   }
 
-  void measure_components()
+  struct Box
+  {
+    std::array<double, 3> low, high;
+
+    Box()
+    {
+      low.fill(std::numeric_limits<double>::infinity());
+      high.fill(-std::numeric_limits<double>::infinity());
+    }
+
+    void add(const Point& p)
+    {
+      for(std::size_t i = 0; i < 3; ++i)
+        if(const double x = p[int(i)]; std::isfinite(x))
+        {
+          low[i] = (std::min)(low[i], x);
+          high[i] = (std::max)(high[i], x);
+        }
+    }
+
+    double extent() const
+    {
+      double most = 0;
+      for(std::size_t i = 0; i < 3; ++i)
+        most = (std::max)(most, high[i] - low[i]);
+      return most;
+    }
+  };
+
+  void measure_parts()
   {
     for(std::size_t f = 0; f < m_polygons.size(); ++f)
       for(int v : m_polygons[f])
         join(m_polygons[f][0], v);
-    const double infinity = std::numeric_limits<double>::infinity();
-    struct Component { std::size_t faces = 0; std::array<double, 3> low, high; };
-    std::vector<Component> components(m_points.size());
-    std::vector<char> is_used(m_points.size(), 0);
+    std::vector<Box> boxes;
+    std::vector<int> part_of_vertex(m_points.size(), -1);
     for(std::size_t f = 0; f < m_polygons.size(); ++f)
     {
       if(m_polygons[f].empty())
         continue;
-      Component& component = components[std::size_t(root(m_polygons[f][0]))];
-      if(component.faces++ == 0)
+      const std::size_t first = std::size_t(root(m_polygons[f][0]));
+      if(part_of_vertex[first] < 0)
       {
-        component.low.fill(infinity);
-        component.high.fill(-infinity);
+        part_of_vertex[first] = int(boxes.size());
+        boxes.emplace_back();
+        m_survey.parts.push_back({f, 0, 0.});
       }
+      const int part = part_of_vertex[first];
       for(int v : m_polygons[f])
-        for(std::size_t i = 0; i < 3; ++i)
-        {
-          const double x = m_points[std::size_t(v)][int(i)];
-          is_used[std::size_t(v)] = 1;
-          if(!std::isfinite(x))
-            continue;
-          component.low[i] = (std::min)(component.low[i], x);
-          component.high[i] = (std::max)(component.high[i], x);
-        }
-      const double a = area(m_polygons[f]);
-      m_survey.flat_faces += a == 0;
-      m_survey.needles += a > 0 && 40 * a < longest_squared_edge(m_polygons[f]);
-      m_survey.area += a;
-    }
-    m_survey.unused_vertices = std::size_t(std::count(is_used.begin(), is_used.end(), 0));
-    m_survey.smallest_extent = infinity;
-    for(const Component& component : components)
-      if(component.faces > 0)
       {
-        double extent = 0;
-        for(std::size_t i = 0; i < 3; ++i)
-          extent = (std::max)(extent, component.high[i] - component.low[i]);
-        ++m_survey.components;
-        m_survey.lone_faces += component.faces == 1;
-        m_survey.smallest_extent = (std::min)(m_survey.smallest_extent, extent);
-        m_survey.largest_extent = (std::max)(m_survey.largest_extent, extent);
+        boxes[std::size_t(part)].add(m_points[std::size_t(v)]);
+        part_of_vertex[std::size_t(v)] = part;
       }
+      add_face(m_polygons[f], m_survey.parts[std::size_t(part)]);
+    }
+    m_survey.components = boxes.size();
+    m_survey.unused_vertices = std::size_t(std::count(part_of_vertex.begin(), part_of_vertex.end(), -1));
+    m_survey.smallest_extent = std::numeric_limits<double>::infinity();
+    for(const Box& box : boxes)
+    {
+      m_survey.smallest_extent = (std::min)(m_survey.smallest_extent, box.extent());
+      m_survey.largest_extent = (std::max)(m_survey.largest_extent, box.extent());
+    }
+    for(const Survey::Part& part : m_survey.parts)
+      m_survey.lone_faces += part.faces == 1;
+    if(boxes.size() > 1)
+      m_survey.part_of_vertex = std::move(part_of_vertex);
+  }
+
+  void add_face(const Polygons::value_type& polygon, Survey::Part& part)
+  {
+    const double a = area(polygon);
+    m_survey.flat_faces += a == 0;
+    m_survey.needles += m_counts_needles && a > 0 && 40 * a < longest_squared_edge(polygon);
+    m_survey.area += a;
+    part.area += a;
+    ++part.faces;
   }
 
   template <class Polygon>
@@ -251,14 +284,14 @@ std::vector<std::string> Survey::remarks(bool seams_are_welded, bool near_ones_a
       + " times smaller than the largest and changes most");
   if(lone_faces > 0 && faces > 1 && !near_ones_are_welded)
     remarks.push_back(counted(lone_faces, "face that is", "faces that are") + " connected to no other"
-                      + (lone_faces > faces / 2 ? ": does a --weld-tolerance join them?" : ""));
+                      + (lone_faces > faces / 2 ? ": does a (larger) --weld-tolerance join them?" : ""));
   if(unused_vertices > 0)
     remarks.push_back(
       counted(unused_vertices, "vertex without a face stays as it is", "vertices without a face stay as they are"));
   return remarks;
 }
 
-Survey survey(const std::vector<Point>& points, const Polygons& polygons)
+Survey survey(const std::vector<Point>& points, const Polygons& polygons, bool counts_needles)
 {
-  return Surveyor(points, polygons).survey();
+  return Surveyor(points, polygons, counts_needles).survey();
 }

@@ -129,7 +129,7 @@ inline const char* get_error_message(int code)
     case error_invalid_region: return "A face or vertex of the region is none of the mesh";
     case error_invalid_index: return "A vertex index is out of range";
     case error_unconstrained: return "The value weight is zero on a component without a constrained vertex";
-    case error_no_volume: return "The volume of an open, constrained or collapsed component cannot be restored";
+    case error_no_volume: return "The volume of an open, unoriented, constrained or collapsed mesh cannot be restored";
     case error_cannot_solve_linear_system: return "The linear system cannot be solved";
     case error_not_converged: return "The iterative linear solver did not converge";
     case error_result_out_of_range: return "The result overflows the number type of the output";

@@ -81,7 +81,7 @@ namespace Gradient_domain_processing {
  *   \cgalParamNBegin{restore_volume}
  *     \cgalParamDescription{whether the enclosed volume of every component is restored}
  *     \cgalParamType{`bool`}
- *     \cgalParamDefault{`true` where the mesh is closed and has no constraint}
+ *     \cgalParamDefault{`true` where the mesh is closed, oriented and has no constraint}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *

@@ -42,13 +42,14 @@ Error_code filter_spectrum(InMap in, OutMap out, const Transfer& transfer, Solve
   const double squared_unit = filter.mesh().unit() * filter.mesh().unit();
   const auto apply = [&](auto& system, Eigen::MatrixXd& values) -> Error_code {
     if constexpr (std::is_same<Transfer, Spectral_filter>::value)
-      return system.apply(transfer.fractions().scaled(squared_unit), filter.progress(), values);
+      return system.apply(transfer.rational().scaled(squared_unit), filter.progress(), values);
     else
     {
       Eigenpairs harmonics;
       const Sparse_matrix mass(system.masses().asDiagonal());
       if(const Error_code code =
-           lowest_eigenpairs(system.stiffness(), mass, (std::min)(count, int(values.rows())), harmonics))
+           lowest_eigenpairs(system.stiffness(), mass, (std::min)(count, int(values.rows())), harmonics,
+                             system.is_parallel()))
         return code;
       const auto of_arrays = [&](double mu) { return double(transfer((std::max)(0., mu) / squared_unit)); };
       const double of_the_rest =
@@ -77,9 +78,9 @@ bool is_valid_transfer(const Transfer&) { return true; }
  * \f$ is multiplied by \f$ h(\mu) \f$.
  *
  * With a `Spectral_filter` (low-pass, high-pass, band-pass, band-stop, with cut-offs that are wavelengths in the unit
- * of the mesh) it does so without any harmonics, as a sum of screened solutions, one factorization a cut-off, within
- * \f$ 10^{-8} \f$ of the signal. With any other function it computes the lowest `number_of_harmonics` harmonics; what
- * is orthogonal to all of them is multiplied by the value at the last.
+ * of the mesh, or an approximation of any function) it does so without any harmonics, by one factorization a cut-off
+ * and some tens of solutions, and keeps the bound that the filter states. With any other function it computes the
+ * lowest `number_of_harmonics` harmonics; what is orthogonal to all of them is multiplied by the value at the last.
  *
  * Harmonics are zero at constrained vertices, which keep their values: filtered is what the signal has beside the
  * harmonic function that agrees with it there. Vertices of a fixed border and those with a face outside of the region
@@ -105,8 +106,8 @@ bool is_valid_transfer(const Transfer&) { return true; }
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return `ok`; or what is wrong, and then `out` is as it was: `error_invalid_parameter` for a wavelength that is not
- *         positive and finite, or a transfer function that is not finite
+ * \return `ok`; or what is wrong, and then `out` is as it was: `error_invalid_parameter` for a `Spectral_filter` that
+ *         is not valid, or a transfer function that is not finite
  *
  * \sa `spectrum()`
  */

@@ -60,6 +60,8 @@
   ADD(noise_scale)                     \
   ADD(denoising_summary)               \
   ADD(number_of_harmonics)             \
+  ADD(spectral_shift)                  \
+  ADD(embedding_measure)               \
   ADD(hessian_weight)                  \
   ADD(hessian_kind)
 

@@ -41,7 +41,7 @@ namespace Gradient_domain_processing {
  *     \cgalParamDefault{`1`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{restore_volume}
- *     \cgalParamDescription{whether every component is scaled about its centroid so that it encloses the volume it enclosed before. Done after every pass. The mesh must be closed and without constraints, else `error_no_volume` is returned, as where one collapses.}
+ *     \cgalParamDescription{whether every component is scaled about its centroid so that it encloses the volume it enclosed before. Done after every pass. The mesh must be closed, oriented and without constraints, else `error_no_volume` is returned, as where one collapses.}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`false`}
  *   \cgalParamNEnd

@@ -15,11 +15,9 @@
 #include <CGAL/license/Gradient_domain_processing.h>
 
 #include <CGAL/Gradient_domain_processing/Error_code.h>
-#include <CGAL/Gradient_domain_processing/mass_matrix.h>
 #include <CGAL/Gradient_domain_processing/parameters.h>
-#include <CGAL/Gradient_domain_processing/stiffness_matrix.h>
-#include <CGAL/Gradient_domain_processing/internal/higher_order/constrained_minimum.h>
-#include <CGAL/Gradient_domain_processing/internal/spectrum/eigenpairs.h>
+#include <CGAL/Gradient_domain_processing/internal/energy/matrices.h>
+#include <CGAL/Gradient_domain_processing/internal/spectrum/Laplace_spectrum.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 
@@ -34,42 +32,33 @@ namespace Gradient_domain_processing {
 
 namespace internal {
 
-// The lowest eigenpairs on the free degrees of freedom; the rows of the others are zero.
-inline Error_code free_eigenpairs(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& b,
-                                  const std::vector<char>& is_free, int count, Eigenpairs& result)
+template <class NamedParameters>
+Eigenpair_request eigenpair_request(int count, const NamedParameters& np)
 {
-  std::vector<int> free_index(is_free.size(), -1);
-  int number = 0;
-  for(std::size_t i = 0; i < is_free.size(); ++i)
-    if(is_free[i])
-      free_index[i] = number++;
-  if(count < 0 || count > number)
-    return error_invalid_parameter;
-  const auto block = [&](const Eigen::SparseMatrix<double>& matrix) {
-    return Eigen::SparseMatrix<double>(free_block(matrix, free_index, number).selfadjointView<Eigen::Lower>());
-  };
-  Eigenpairs of_free;
-  if(count > 0)
-    if(const Error_code code = lowest_eigenpairs(block(a), block(b), count, of_free))
-      return code;
-  result.values = of_free.values;
-  result.vectors.setZero(Eigen::Index(is_free.size()), count);
-  for(std::size_t i = 0; i < is_free.size() && count > 0; ++i)
-    if(is_free[i])
-      result.vectors.row(Eigen::Index(i)) = of_free.vectors.row(free_index[i]);
-  return ok;
+  using namespace CGAL::internal_np;
+  Eigenpair_request request;
+  request.count = count;
+  request.is_lowest = !Has_parameter<spectral_shift_t, NamedParameters>::value;
+  request.shift = double(parameter(np, spectral_shift, 0.));
+  request.parallel =
+    is_parallel<Parameter_type<concurrency_tag_t, NamedParameters, Parallel_if_available_tag> >();
+  return request;
 }
 
-// `is_constrained` by number of a vertex.
-inline Error_code spectrum(const Eigen::SparseMatrix<double>& mass, const Eigen::SparseMatrix<double>& stiffness,
-                           const std::vector<char>& is_constrained, int count, Eigen::VectorXd& eigenvalues,
-                           Eigen::MatrixXd& harmonics)
+// `mark(is_constrained)` tells which numbers of vertices are constrained.
+template <class Surface, class NamedParameters, class Mark>
+Error_code spectrum_of_surface(const Surface& surface, int count, Eigen::VectorXd& eigenvalues,
+                               Eigen::MatrixXd& harmonics, const NamedParameters& np, const Mark& mark)
 {
-  std::vector<char> is_free(std::size_t(mass.rows()));
-  for(std::size_t i = 0; i < is_free.size(); ++i)
-    is_free[i] = !is_constrained[i] && mass.coeff(Eigen::Index(i), Eigen::Index(i)) > 0;
+  Matrix_input input;
+  if(const Error_code code = read_matrix_input(surface, np, input, true))
+    return code;
+  std::vector<char> is_constrained(std::size_t(index_range(input.vertex_index)), 0);
+  mark(is_constrained);
   Eigenpairs pairs;
-  if(const Error_code code = free_eigenpairs(stiffness, mass, is_free, count, pairs))
+  if(const Error_code code =
+       laplace_spectrum(input, is_constrained, parameter(np, CGAL::internal_np::embedding_measure, false),
+                        eigenpair_request(count, np), pairs))
     return code;
   eigenvalues.swap(pairs.values);
   harmonics.swap(pairs.vectors);
@@ -81,10 +70,11 @@ inline Error_code spectrum(const Eigen::SparseMatrix<double>& mass, const Eigen:
 /*!
  * \ingroup PkgGradientDomainProcessingRef
  *
- * computes the lowest eigenvalues and eigenfunctions of the Laplacian, \f$ S \phi = \lambda M \phi \f$: the manifold
- * harmonics (Vallet, Levy: *Spectral Geometry Processing with Manifold Harmonics*, 2008), under any metric. They come
- * band by band, each around a shift; how many there are below a shift is counted, so that none of a multiple eigenvalue
- * is missed.
+ * computes eigenvalues and eigenfunctions of the Laplacian, \f$ S \phi = \lambda M \phi \f$: the manifold harmonics
+ * (Vallet, Levy: *Spectral Geometry Processing with Manifold Harmonics*, 2008), under any metric; the lowest, or those
+ * nearest to a shift. They come slice by slice, each around a shift of its own, two at a time; how many there are
+ * between two shifts is counted, so that none of a multiple eigenvalue is missed. Time grows with `count` and with the
+ * mesh a little faster than linearly; memory is that of the result and some hundred vectors.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  *
@@ -94,8 +84,27 @@ inline Error_code spectrum(const Eigen::SparseMatrix<double>& mass, const Eigen:
  * \param harmonics one column each, with \f$ \phi^T M \phi = 1 \f$; rows are numbered by `vertex_index_map`, those of
  *        constrained vertices and of vertices without a face are zero
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `face_metric_map`,
- *        `vertex_point_map`, `vertex_index_map`, `concurrency_tag` of `mass_matrix()`, and `vertex_is_constrained_map`:
- *        where harmonics are zero
+ *        `vertex_point_map`, `vertex_index_map`, `concurrency_tag` of `mass_matrix()`, `vertex_is_constrained_map`
+ *        (where harmonics are zero), and
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{spectral_shift}
+ *     \cgalParamDescription{the `count` eigenvalues nearest to this one, in 1 / squared lengths of the mesh, instead of
+ *                           the lowest: \f$ (2 \pi / \ell)^2 \f$ for waves about as long as \f$ \ell \f$}
+ *     \cgalParamType{`double`, finite}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{embedding_measure}
+ *     \cgalParamDescription{whether areas are those of the embedding, in \f$ M \f$ and in \f$ S \f$, and
+ *                           `face_metric_map` tells only how long gradients are: \f$ S_f = A_f G^T g^{-1} G \f$.
+ *                           Stretches \f$ s_i \f$ along the principal directions then are a conductance \f$ D =
+ *                           diag(1 / s_1, 1 / s_2) \f$, as in the anisotropic Laplacian \f$ div (D \nabla) \f$ of
+ *                           Andreux et al. 2014, where \f$ s_i = 1 + a |\kappa_i| \f$; a metric alone has \f$ \det D
+ *                           = 1 \f$ in two dimensions, and slows waves down by more area instead}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`false`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
  *
  * \return `ok`; or what is wrong, and then the results are as they were
  */
@@ -103,21 +112,17 @@ template <class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Error_code spectrum(const TriangleMesh& tm, int count, Eigen::VectorXd& eigenvalues, Eigen::MatrixXd& harmonics,
                     const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  Eigen::SparseMatrix<double> mass, stiffness;
-  if(const Error_code code = mass_matrix(tm, mass, np))
-    return code;
-  if(const Error_code code = stiffness_matrix(tm, stiffness, np))
-    return code;
-
-  std::vector<char> is_constrained(std::size_t(mass.rows()), 0);
-  if constexpr(internal::Has_parameter<CGAL::internal_np::vertex_is_constrained_t, CGAL_NP_CLASS>::value)
-  {
-    const auto index_map = CGAL::get_initialized_vertex_index_map(tm, np);
-    for(auto v : vertices(tm))
-      if(get(internal::parameter(np, CGAL::internal_np::vertex_is_constrained, 0), v))
-        is_constrained[std::size_t(get(index_map, v))] = 1;
-  }
-  return internal::spectrum(mass, stiffness, is_constrained, count, eigenvalues, harmonics);
+  const auto mark = [&](std::vector<char>& is_constrained) {
+    if constexpr(internal::Has_parameter<CGAL::internal_np::vertex_is_constrained_t, CGAL_NP_CLASS>::value)
+    {
+      const auto index_map = CGAL::get_initialized_vertex_index_map(tm, np);
+      for(auto v : vertices(tm))
+        if(const std::size_t i = std::size_t(get(index_map, v)); i < is_constrained.size())
+          is_constrained[i] = bool(get(internal::parameter(np, CGAL::internal_np::vertex_is_constrained, 0), v));
+    }
+    (void)is_constrained;
+  };
+  return internal::spectrum_of_surface(tm, count, eigenvalues, harmonics, np, mark);
 }
 
 /*!
@@ -135,16 +140,53 @@ template <class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAME
 Error_code spectrum(const PointRange& points, const PolygonRange& polygons, int count, Eigen::VectorXd& eigenvalues,
                     Eigen::MatrixXd& harmonics, const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  Eigen::SparseMatrix<double> mass, stiffness;
-  if(const Error_code code = mass_matrix(points, polygons, mass, np))
+  const internal::Polygon_soup<const PointRange, PolygonRange> soup{points, polygons};
+  const auto mark = [&](std::vector<char>& is_constrained) {
+    if constexpr(internal::Has_parameter<CGAL::internal_np::vertex_is_constrained_t, CGAL_NP_CLASS>::value)
+      for(std::size_t v = 0; v < is_constrained.size(); ++v)
+        is_constrained[v] = bool(get(internal::parameter(np, CGAL::internal_np::vertex_is_constrained, 0), v));
+    (void)is_constrained;
+  };
+  return internal::spectrum_of_surface(soup, count, eigenvalues, harmonics, np, mark);
+}
+
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * does so for any symmetric matrix that is bounded from below, \f$ A x = \lambda M x \f$: that of `hessian_matrix()`,
+ * `modified_dirichlet_matrix()`, or, with the mass of every vertex three times, of `shell_hessian_matrix()` (the modes
+ * of Hildebrandt et al. 2012).
+ *
+ * \param matrix \f$ A \f$, stored as a whole
+ * \param mass \f$ M \f$, symmetric positive semidefinite, stored as a whole; where its diagonal is zero there is no
+ *        degree of freedom
+ * \param count how many, not more than there are degrees of freedom that are not constrained
+ * \param eigenvalues the result, increasing
+ * \param vectors one column each, with \f$ x^T M x = 1 \f$
+ * \param np `spectral_shift`, `concurrency_tag` as above, and `vertex_is_constrained_map`, which has rows of the
+ *        matrix, of type `std::size_t`, as keys
+ *
+ * \return `ok`; or what is wrong, and then the results are as they were
+ */
+template <typename CGAL_NP_TEMPLATE_PARAMETERS>
+Error_code spectrum(const Eigen::SparseMatrix<double>& matrix, const Eigen::SparseMatrix<double>& mass, int count,
+                    Eigen::VectorXd& eigenvalues, Eigen::MatrixXd& vectors,
+                    const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  std::vector<char> is_free(std::size_t(mass.rows()));
+  for(std::size_t i = 0; i < is_free.size(); ++i)
+  {
+    is_free[i] = mass.coeff(Eigen::Index(i), Eigen::Index(i)) > 0;
+    if constexpr(internal::Has_parameter<CGAL::internal_np::vertex_is_constrained_t, CGAL_NP_CLASS>::value)
+      is_free[i] = is_free[i] && !get(internal::parameter(np, CGAL::internal_np::vertex_is_constrained, 0), i);
+  }
+  internal::Eigenpairs pairs;
+  if(const Error_code code = internal::restricted_spectrum(
+       matrix, mass, internal::numbered_in_memory_order(is_free), internal::eigenpair_request(count, np), pairs))
     return code;
-  if(const Error_code code = stiffness_matrix(points, polygons, stiffness, np))
-    return code;
-  std::vector<char> is_constrained(std::size_t(mass.rows()), 0);
-  if constexpr(internal::Has_parameter<CGAL::internal_np::vertex_is_constrained_t, CGAL_NP_CLASS>::value)
-    for(std::size_t v = 0; v < is_constrained.size(); ++v)
-      is_constrained[v] = bool(get(internal::parameter(np, CGAL::internal_np::vertex_is_constrained, 0), v));
-  return internal::spectrum(mass, stiffness, is_constrained, count, eigenvalues, harmonics);
+  eigenvalues.swap(pairs.values);
+  vectors.swap(pairs.vectors);
+  return ok;
 }
 
 } // namespace Gradient_domain_processing

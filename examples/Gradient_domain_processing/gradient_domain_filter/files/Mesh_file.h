@@ -106,6 +106,7 @@ struct Mesh_file
   std::string name;
   File_format format = File_format::PLY;
   std::string text;
+  bool has_mark = false; // of UTF-8, before the text
 
   std::vector<Point> points;
   Polygons polygons;
@@ -125,6 +126,8 @@ struct Mesh_file
 
   bool has_normals() const { return vertex_columns.has_normals() || normal_columns.has_normals(); }
 };
+
+constexpr const char* utf8_mark = "\xEF\xBB\xBF";
 
 // What is written, and how.
 struct Output_form

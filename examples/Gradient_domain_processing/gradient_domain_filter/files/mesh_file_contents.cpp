@@ -218,6 +218,8 @@ std::string mesh_file_contents(Mesh_file& file, const Output_form& form)
   if(can_replace(file, form))
   {
     replace_changed(file, form.precision);
+    if(file.has_mark)
+      file.text.insert(0, utf8_mark);
     return std::move(file.text);
   }
   switch(form.format)

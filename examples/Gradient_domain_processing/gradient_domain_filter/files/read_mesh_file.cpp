@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <utility>
 
 #ifdef GRADIENT_DOMAIN_FILTER_HAS_ZLIB
 #include <boost/iostreams/copy.hpp>
@@ -114,6 +115,12 @@ File_format file_format(const std::string& path)
   for(const auto& known : formats)
     if(extension == known.extension)
       return known.format;
+  for(const auto& other : {std::pair<const char*, const char*>{".gltf", "glTF"}, {".glb", "glTF"}, {".3mf", "3MF"},
+                           {".vtp", "VTP"}, {".vtk", "VTK"}, {".vtu", "VTU"}, {".dae", "Collada"}, {".fbx", "FBX"},
+                           {".usd", "USD"}, {".usdz", "USD"}, {".x3d", "X3D"}, {".3ds", "3DS"}, {".amf", "AMF"}})
+    if(extension == other.first)
+      throw Usage_error(path + ": " + other.second
+                        + " is not read or written here; convert it to PLY or OBJ, as assimp, Blender or ParaView do");
   throw Usage_error(path + ": unknown extension; known are .off, .obj, .ply and .stl, also before .gz");
 }
 
@@ -169,18 +176,51 @@ File_format sniffed_format(const std::string& name, const std::string& text)
   throw Failure(name, "neither OFF nor OBJ, PLY or STL");
 }
 
+namespace {
+
+void parse(Mesh_file& file)
+{
+  switch(file.format)
+  {
+    case File_format::OFF: return parse_off(file);
+    case File_format::OBJ: return parse_obj(file);
+    case File_format::PLY: return parse_ply(file);
+    case File_format::STL: return parse_stl(file);
+  }
+}
+
+// What a file that cannot be read as what it is called seems to be.
+std::string other_format(const Mesh_file& file)
+{
+  File_format format = file.format;
+  try { format = sniffed_format(file.name, file.text); }
+  catch(const Failure&) {}
+  static const char* const names[] = {"off", "obj", "ply", "stl"};
+  static const File_format formats[] = {File_format::OFF, File_format::OBJ, File_format::PLY, File_format::STL};
+  for(std::size_t i = 0; i < 4; ++i)
+    if(formats[i] == format && format != file.format)
+      return std::string("; it looks like --input-format ") + names[i];
+  return std::string();
+}
+
+} // namespace
+
 Mesh_file parse_mesh_file(const std::string& name, File_format format, std::string text)
 {
   Mesh_file file;
   file.name = name;
   file.format = format;
   file.text = std::move(text);
-  switch(format)
+  file.has_mark = file.text.compare(0, 3, utf8_mark) == 0;
+  if(file.has_mark)
+    file.text.erase(0, 3);
+  try
   {
-    case File_format::OFF: parse_off(file); break;
-    case File_format::OBJ: parse_obj(file); break;
-    case File_format::PLY: parse_ply(file); break;
-    case File_format::STL: parse_stl(file); break;
+    parse(file);
+  }
+  catch(const Failure& failure)
+  {
+    throw Failure(failure.what() + other_format(file));
   }
   if(file.points.size() > std::size_t((std::numeric_limits<int>::max)()) / 8)
     throw Failure(name, "too many vertices");

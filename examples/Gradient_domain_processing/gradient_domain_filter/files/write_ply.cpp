@@ -106,11 +106,12 @@ private:
     return element.name == "vertex" ? m_file.vertex_columns : element.name == "face" ? m_file.face_columns : none;
   }
 
-  Number_type wanted(Number_type type) const
+  Number_type wanted_real(Number_type type) const
   {
-    return m_form.precision == Precision::DEFAULT || is_integer(type) ? type
+    return m_form.precision == Precision::DEFAULT  ? type
            : m_form.precision == Precision::SINGLE ? Number_type::FLOAT : Number_type::DOUBLE;
   }
+  Number_type wanted(Number_type type) const { return is_integer(type) ? type : wanted_real(type); }
 
   std::vector<Change> changes(const Ply_element& element) const
   {
@@ -124,7 +125,7 @@ private:
       for(int i = 0; i < 3; ++i)
       {
         Change& change = changes[std::size_t(m_file.coordinate_places[std::size_t(i)])];
-        change.type = wanted(change.type);
+        change.type = wanted_real(change.type);
         change.coordinate = i;
       }
     return changes;

@@ -16,6 +16,7 @@
 #include <CGAL/Gradient_domain_processing/internal/mesh/arrange_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/border_edges_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/connected_components_impl.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/is_oriented_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/morton_order_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/offset_to_volumes_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/points_impl.h>

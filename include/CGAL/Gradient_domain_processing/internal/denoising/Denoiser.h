@@ -22,6 +22,7 @@
 #include <CGAL/Gradient_domain_processing/internal/denoising/Position_fit.h>
 #include <CGAL/Gradient_domain_processing/internal/denoising/Removed_heights.h>
 #include <CGAL/Gradient_domain_processing/internal/denoising/Smoothing_schedule.h>
+#include <CGAL/Gradient_domain_processing/internal/denoising/Surface_fairing.h>
 #include <CGAL/Gradient_domain_processing/internal/denoising/smooth_border.h>
 #include <CGAL/Gradient_domain_processing/visitor.h>
 
@@ -82,9 +83,10 @@ private:
     Normal_filter filter_normals(m_mesh, m_dual, m_parallel);
     Position_fit fit_positions(m_mesh, m_rings, m_parallel);
     weigh_positions(fit_positions);
-    Removed_heights removed(m_mesh, m_rings, m_parallel);
+    Removed_heights removed(m_rings, m_parallel);
     Face_geometry faces(m_mesh, m_dual, points, m_parallel);
     Normal_variation variation;
+    bool is_smooth = false;
     std::vector<Vec3> before;
     const bool is_named = m_options.number_of_iterations.has_value();
     const int passes = m_options.number_of_iterations.value_or(denoising::most_passes);
@@ -110,6 +112,8 @@ private:
       faces = Face_geometry(m_mesh, m_dual, points, m_parallel);
       if(!is_named && m_reach == 1 && is_at_end(k + 1, removes_detail, before, faces, variation, points))
         break;
+      if(is_named && k + 2 >= passes)
+        is_smooth = is_smooth_surface(faces, variation);
       m_summary.number_of_iterations = unsigned(k + 1);
       if(k + 1 == denoising::border_passes)
       {
@@ -117,7 +121,38 @@ private:
         weigh_positions(fit_positions);
       }
     }
+    if(passes > 0 && m_reach == 1 && m_summary.end != Denoising_end::detail)
+      fair(is_smooth || m_summary.end == Denoising_end::smooth_surface, faces, removed, points);
     return ok;
+  }
+
+  // The variation is that of the last pass, and then of this.
+  bool is_smooth_surface(const Face_geometry& faces, Normal_variation& variation) const
+  {
+    const Normal_variation last = variation;
+    variation = Normal_variation(faces.normals, m_dual, m_mesh);
+    return !variation.is_of_folded_surface() && variation.is_of_smooth_surface(last);
+  }
+
+  void fair(bool is_smooth, const Face_geometry& last_faces, Removed_heights& removed, std::vector<Vec3>& points) const
+  {
+    const double weight = m_options.value_weight.value_or(denoising::value_weight);
+    Surface_fairing fairing(m_mesh, m_rings, (std::min)(1., denoising::value_weight / weight), m_parallel);
+    if(!is_smooth)
+      fairing.keep_creases(m_dual, last_faces.normals);
+    Face_geometry faces = last_faces;
+    for(int round = 0; round < (is_smooth ? denoising::fairing_rounds : 1); ++round)
+    {
+      if(round > 0)
+        faces = Face_geometry(m_mesh, m_dual, points, m_parallel);
+      const std::vector<Vec3> normals = vertex_normals(m_mesh, faces.areas, faces.normals, m_parallel);
+      fairing([&](int v) { return !m_is_constrained[v]; }, normals, points);
+      if(!is_smooth)
+        continue;
+      removed.measure(m_input, points, normals);
+      removed.give_back_detail([&](int v) { return may_get_detail_back(v); }, denoising::detail_threshold_of_fairing,
+                               normals, points);
+    }
   }
 
   // Says whether too much of what was taken away is detail.
@@ -127,7 +162,8 @@ private:
     removed.measure(m_input, points, normals);
     if(pass + 1 >= denoising::first_detail_pass || removed.correlation() > most_correlation())
     {
-      removed.give_back_detail([&](int v) { return may_get_detail_back(v); }, normals, points);
+      removed.give_back_detail([&](int v) { return may_get_detail_back(v); }, denoising::detail_threshold, normals,
+                               points);
       removed.measure(m_input, points, normals);
     }
     return removed.correlation() > most_correlation();
@@ -155,7 +191,8 @@ private:
     const Face_geometry faces(m_mesh, m_dual, points, m_parallel);
     m_noise = estimate_noise(m_mesh, faces, m_dual, m_rings, m_parallel);
     const bool is_white = m_noise.level > 0;
-    const bool is_correlated = has_correlated_noise(m_mesh, m_dual, m_rings, points, faces, m_parallel);
+    const bool is_correlated =
+      has_correlated_noise(m_mesh, m_dual, m_rings, points, faces, mean_edge_length(points), m_parallel);
     const bool is_named = m_options.noise_level || m_options.noise_scale || m_options.number_of_iterations;
     if(is_correlated || (m_options.noise_scale && *m_options.noise_scale > 1))
       m_noise.level = denoising::correlated_level;
@@ -233,17 +270,20 @@ private:
     }) / (3. * double(n));
   }
 
-  // The farthest pass of a smooth surface that pays is one of these.
-  static bool may_be_last(int passes)
+  // The farthest pass of a smooth surface that pays is one of two; as long as heavy noise keeps all differences small,
+  // no pass tells creases.
+  bool may_be_last(int passes) const
   {
-    return passes == denoising::smooth_passes || passes == denoising::smooth_passes + 1;
+    using namespace denoising;
+    const double first = similarity * m_noise.level / similarity_max;
+    const int blind = first > 1 ? int(std::log(first) / -std::log(similarity_decay)) : 0;
+    return passes == smooth_passes + blind || passes == smooth_passes + blind + 1;
   }
 
   bool is_at_end(int passes, bool removes_detail, const std::vector<Vec3>& before, const Face_geometry& faces,
                  Normal_variation& variation, std::vector<Vec3>& points) const
   {
-    const Normal_variation last = variation;
-    variation = Normal_variation(faces.normals, m_dual, m_mesh);
+    const bool is_smooth = is_smooth_surface(faces, variation);
     if(variation.is_of_folded_surface())
       return false;
     if(removes_detail)
@@ -252,7 +292,7 @@ private:
       m_summary.end = Denoising_end::detail;
       return true;
     }
-    if(may_be_last(passes) && variation.is_of_smooth_surface(last))
+    if(may_be_last(passes) && is_smooth)
     {
       m_summary.end = Denoising_end::smooth_surface;
       m_summary.number_of_iterations = unsigned(passes);

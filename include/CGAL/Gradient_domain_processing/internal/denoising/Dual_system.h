@@ -28,14 +28,16 @@ namespace internal {
 template <class Value>
 class Dual_system
 {
+  typedef typename Scalar_of<Value>::type Scalar;
+
   const Dual_graph& m_dual;
-  std::vector<double> m_inverse_diagonal;
+  std::vector<Scalar> m_inverse_diagonal;
   Conjugate_gradients<Value> m_solver;
   bool m_parallel;
 
 public:
-  std::vector<double> masses;
-  std::vector<std::array<double, 3> > weights; // 0 where there is no neighbor
+  std::vector<Scalar> masses;
+  std::vector<std::array<Scalar, 3> > weights; // 0 where there is no neighbor
 
   Dual_system(const Dual_graph& dual, bool parallel)
     : m_dual(dual), m_inverse_diagonal(dual.size()), m_solver(parallel), m_parallel(parallel), weights(dual.size())

@@ -104,12 +104,14 @@ struct Normal_variation
   bool is_of_folded_surface() const { return root_mean_square > 0.7; }
 
   // Flat pieces between creases have a small median, and go on to become flatter; where nothing stands out, there is no
-  // detail to lose, but facets may come of a further pass.
+  // detail to lose, but facets may come of a further pass. Folds that stay look like creases, which become sharper.
   bool is_of_smooth_surface(const Normal_variation& before) const
   {
     const bool has_less_detail = median < 0.6 * root_mean_square;
     const bool gets_facets = root_mean_square > before.root_mean_square;
-    return median > 0.22 * root_mean_square && (has_less_detail || gets_facets) && is_settled(before)
+    const bool has_folds = has_less_detail && median > 0.94 * before.median && root_mean_square < 0.6
+                        && root_mean_square < 1.01 * before.root_mean_square;
+    return (median > 0.22 * root_mean_square || has_folds) && (has_less_detail || gets_facets) && is_settled(before)
         && root_mean_square > 0.9 * before.root_mean_square;
   }
 };

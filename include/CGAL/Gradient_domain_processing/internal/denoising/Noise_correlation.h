@@ -111,22 +111,42 @@ inline double correlated_excess(const std::array<double, 5>& c)
   return c[1] - (c[2] > 0 && c[4] > 0 ? (std::min)(1., c[2] * std::sqrt(c[2] / c[4])) : (std::max)(0., c[2]));
 }
 
-// Whether there is noise that is correlated from vertex to vertex, all over the mesh: a few creases look alike.
-inline bool has_correlated_noise(const Indexed_triangles& mesh, const Dual_graph& dual, const Lists& rings,
-                                 const std::vector<Vec3>& points, const Face_geometry& faces, bool parallel)
+// Whether angles between neighboring faces are large all over the mesh, not at a few creases only.
+inline bool is_rough_all_over(std::vector<double>& angles)
 {
-  std::vector<double> angles;
-  dual.for_each_edge(mesh,
-                     [&](int f, int g, int, int) { angles.push_back((faces.normals[f] - faces.normals[g]).norm()); });
   if(angles.empty())
     return false;
   const auto most = angles.begin() + std::ptrdiff_t(angles.size() * 4 / 5);
   std::nth_element(angles.begin(), most, angles.end());
-  if(*most < denoising::least_rough_angle)
+  return *most >= denoising::least_rough_angle;
+}
+
+inline double root_mean_square(const std::vector<double>& numbers)
+{
+  double squares = 0;
+  for(double x : numbers)
+    squares += x * x;
+  return numbers.empty() ? 0 : std::sqrt(squares / double(numbers.size()));
+}
+
+// Whether there is noise that is correlated from vertex to vertex, all over the mesh: a few creases look alike, and so
+// do teeth that are a few edges thick, and what comes back after some edges.
+inline bool has_correlated_noise(const Indexed_triangles& mesh, const Dual_graph& dual, const Lists& rings,
+                                 const std::vector<Vec3>& points, const Face_geometry& faces, double mean_edge_length,
+                                 bool parallel)
+{
+  std::vector<double> angles;
+  dual.for_each_edge(mesh,
+                     [&](int f, int g, int, int) { angles.push_back((faces.normals[f] - faces.normals[g]).norm()); });
+  if(!is_rough_all_over(angles))
     return false;
   const std::vector<Vec3> normals = vertex_normals(mesh, faces.areas, faces.normals, parallel);
-  const std::array<double, 5> c = correlation_by_distance(mesh, rings, fine_heights(rings, points, normals, parallel));
-  const bool is_wave = (std::min)(c[3], c[4]) < denoising::least_correlation_of_noise;
+  const std::vector<double> heights = fine_heights(rings, points, normals, parallel);
+  if(root_mean_square(heights) > denoising::highest_correlated_noise * mean_edge_length)
+    return false;
+  const std::array<double, 5> c = correlation_by_distance(mesh, rings, heights);
+  const bool is_wave = (std::min)(c[3], c[4]) < denoising::least_correlation_of_noise
+                    || c[4] > c[2] + denoising::most_return_of_noise;
   const bool has_planes = is_faceted(mesh, faces, dual, median(std::move(angles)));
   return c[1] < (has_planes ? denoising::most_correlation_of_steps : denoising::most_correlation_of_noise) && !is_wave
       && correlated_excess(c) > denoising::least_correlated_excess + 1 / std::sqrt(double(points.size()));

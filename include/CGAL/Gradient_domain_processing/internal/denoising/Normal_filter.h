@@ -38,13 +38,18 @@ class Normal_filter
 {
   const Indexed_triangles& m_mesh;
   const Dual_graph& m_dual;
-  Dual_system<Vec3> m_system;
+  Dual_system<Vec3f> m_system;
   bool m_parallel;
-  std::vector<Vec3> m_right, m_solution;
+  std::vector<Vec3f> m_right, m_solution;
 
 public:
   Normal_filter(const Indexed_triangles& mesh, const Dual_graph& dual, bool parallel)
-    : m_mesh(mesh), m_dual(dual), m_system(dual, parallel), m_parallel(parallel), m_right(dual.size())
+    : m_mesh(mesh)
+    , m_dual(dual)
+    , m_system(dual, parallel)
+    , m_parallel(parallel)
+    , m_right(dual.size())
+    , m_solution(dual.size())
   {}
 
   // smoothing(f) says it for a triangle; an edge gets the mean of its two.
@@ -56,19 +61,20 @@ public:
     const double mean_area = std::accumulate(faces.areas.begin(), faces.areas.end(), 0.) / double(faces.areas.size());
     m_system.masses.resize(faces.areas.size());
     parallel_for(m_parallel, m_right.size(), [&](std::size_t f) {
-      m_system.masses[f] = std::sqrt(mean_area * faces.areas[f]);
-      m_right[f] = m_system.masses[f] * faces.normals[f];
+      m_system.masses[f] = float(std::sqrt(mean_area * faces.areas[f]));
+      m_solution[f] = single(faces.normals[f]);
+      m_right[f] = m_system.masses[f] * m_solution[f];
     });
     normals = faces.normals;
-    m_solution = normals;
     for(int i = 0; i < denoising::normal_updates; ++i)
     {
       weigh(points, smoothing, normals);
       m_system.solve(m_right, denoising::normal_tolerance, denoising::most_solver_steps, m_solution);
       parallel_for(m_parallel, normals.size(), [&](std::size_t f) {
-        const double length = m_solution[f].norm();
+        const Vec3 normal = as_double(m_solution[f]);
+        const double length = normal.norm();
         if(length > 0)
-          normals[f] = m_solution[f] / length;
+          normals[f] = normal / length;
       });
     }
   }
@@ -89,7 +95,7 @@ private:
         const double sigma = (own.similarity + other.similarity) / 2, beta = (own.weight + other.weight) / 2;
         const double q = 1 + (normals[f] - normals[g]).squaredNorm() / (sigma * sigma);
         const auto& t = m_mesh.triangles[f];
-        m_system.weights[f][i] = beta * (points[t[i]] - points[t[(i + 1) % 3]]).norm() / (q * q);
+        m_system.weights[f][i] = float(beta * (points[t[i]] - points[t[(i + 1) % 3]]).norm() / (q * q));
       }
     });
   }

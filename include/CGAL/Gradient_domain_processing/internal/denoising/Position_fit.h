@@ -33,9 +33,9 @@ class Position_fit
   const Indexed_triangles& m_mesh;
   Lists m_rings;
   std::vector<float> m_edge_weights; // along m_rings
-  std::vector<double> m_value_weights, m_diagonal, m_inverse_diagonal;
-  std::vector<Vec3> m_right, m_change;
-  Conjugate_gradients<Vec3> m_solver;
+  std::vector<float> m_value_weights, m_diagonal, m_inverse_diagonal;
+  std::vector<Vec3f> m_right, m_change;
+  Conjugate_gradients<Vec3f> m_solver;
   bool m_parallel;
 
 public:
@@ -49,7 +49,7 @@ public:
       for(const int* c = mesh.corners.begin(int(v)); c != mesh.corners.end(int(v)); ++c)
         for(int w : mesh.opposite_vertices(*c))
           m_edge_weights[m_rings.offsets[v] + (std::find(first, m_rings.end(int(v)), w) - first)] += 1;
-      m_diagonal[v] = 2. * mesh.corners.size(int(v));
+      m_diagonal[v] = 2.f * float(mesh.corners.size(int(v)));
     });
   }
 
@@ -59,8 +59,8 @@ public:
   {
     const double mass = std::sqrt(3.) / 4 / 3, half_cotangent = 0.5 / std::sqrt(3.);
     parallel_for(m_parallel, m_value_weights.size(), [&](std::size_t v) {
-      m_value_weights[v] = value_weight(int(v)) * mass * m_mesh.corners.size(int(v)) / half_cotangent;
-      const double diagonal = m_value_weights[v] + m_diagonal[v];
+      m_value_weights[v] = float(value_weight(int(v)) * mass * m_mesh.corners.size(int(v)) / half_cotangent);
+      const float diagonal = m_value_weights[v] + m_diagonal[v];
       m_inverse_diagonal[v] = may_move(int(v)) && diagonal > 0 ? 1 / diagonal : 0;
     });
   }
@@ -68,25 +68,25 @@ public:
   void operator()(const std::vector<Vec3>& input, const std::vector<Vec3>& normals, std::vector<Vec3>& points)
   {
     parallel_for(m_parallel, points.size(), [&](std::size_t v) {
-      Vec3 right = m_value_weights[v] * (input[v] - points[v]);
+      Vec3 right = double(m_value_weights[v]) * (input[v] - points[v]);
       for(const int* c = m_mesh.corners.begin(int(v)); c != m_mesh.corners.end(int(v)); ++c)
       {
         const auto others = m_mesh.opposite_vertices(*c);
         const Vec3& n = normals[*c / 3];
         right += n.dot(points[others[0]] + points[others[1]] - 2 * points[v]) * n;
       }
-      m_right[v] = right;
-      m_change[v] = Vec3(0, 0, 0);
+      m_right[v] = single(right);
+      m_change[v] = Vec3f(0, 0, 0, 0);
     });
-    m_solver([&](const std::vector<Vec3>& p, int v) {
-      Vec3 product = m_value_weights[v] * p[v];
+    m_solver([&](const std::vector<Vec3f>& p, int v) {
+      Vec3f product = m_value_weights[v] * p[v];
       for(int k = m_rings.offsets[v]; k < m_rings.offsets[v + 1]; ++k)
-        product += double(m_edge_weights[k]) * (p[v] - p[m_rings.items[k]]);
+        product += m_edge_weights[k] * (p[v] - p[m_rings.items[k]]);
       return product;
     }, m_inverse_diagonal, m_right, denoising::position_tolerance, denoising::most_solver_steps, m_change);
     parallel_for(m_parallel, points.size(), [&](std::size_t v) {
       if(m_inverse_diagonal[v] != 0)
-        points[v] += m_change[v];
+        points[v] += as_double(m_change[v]);
     });
   }
 };

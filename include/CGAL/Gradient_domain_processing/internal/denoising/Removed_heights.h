@@ -31,14 +31,13 @@ namespace internal {
 // - N / E) S r back.
 class Removed_heights
 {
-  const Indexed_triangles& m_mesh;
   const Lists& m_rings;
   bool m_parallel;
   std::vector<double> m_heights, m_energies, m_next;
 
 public:
-  Removed_heights(const Indexed_triangles& mesh, const Lists& rings, bool parallel)
-    : m_mesh(mesh), m_rings(rings), m_parallel(parallel), m_heights(mesh.points.size()), m_next(mesh.points.size())
+  Removed_heights(const Lists& rings, bool parallel)
+    : m_rings(rings), m_parallel(parallel), m_heights(std::size_t(rings.size())), m_next(m_heights.size())
   {}
 
   void measure(const std::vector<Vec3>& input, const std::vector<Vec3>& points, const std::vector<Vec3>& normals)
@@ -50,21 +49,28 @@ public:
   // of neighbors
   double correlation() const
   {
-    double squares = 0, products = 0;
-    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
-    {
-      squares += m_heights[v] * m_heights[v];
-      for(const int* w = m_rings.begin(v); w != m_rings.end(v); ++w)
-        products += m_heights[v] * m_heights[*w] / m_rings.size(v);
-    }
-    return squares > 0 ? products / squares : 0;
+    typedef Eigen::Vector2d Sums; // of squares and products
+    const std::size_t n = m_heights.size();
+    const Sums sums = sum_over_blocks(m_parallel, n, 4096, Sums(0, 0), [&](std::size_t begin, std::size_t end) {
+      Sums part(0, 0);
+      for(std::size_t v = begin; v < end; ++v)
+      {
+        double around = 0;
+        for(const int* w = m_rings.begin(int(v)); w != m_rings.end(int(v)); ++w)
+          around += m_heights[*w] / m_rings.size(int(v));
+        part += m_heights[v] * Sums(m_heights[v], around);
+      }
+      return part;
+    });
+    return sums[0] > 0 ? sums[1] / sums[0] : 0;
   }
 
   // may_move(v); the measured heights are used up.
   template <class May_move>
-  void give_back_detail(const May_move& may_move, const std::vector<Vec3>& normals, std::vector<Vec3>& points)
+  void give_back_detail(const May_move& may_move, double threshold, const std::vector<Vec3>& normals,
+                        std::vector<Vec3>& points)
   {
-    const double of_noise = denoising::detail_threshold * clip(may_move);
+    const double of_noise = threshold * clip(may_move);
     smooth(denoising::detail_steps, m_heights);
     m_energies.resize(m_heights.size());
     parallel_for(m_parallel, m_heights.size(), [&](std::size_t v) { m_energies[v] = m_heights[v] * m_heights[v]; });

@@ -17,6 +17,7 @@
 #include <CGAL/Gradient_domain_processing/internal/denoising/Denoiser.h>
 #include <CGAL/Gradient_domain_processing/internal/denoising/Denoising_options.h>
 #include <CGAL/Gradient_domain_processing/internal/denoising/Mesh_part.h>
+#include <CGAL/Gradient_domain_processing/internal/denoising/split_polygons.h>
 #include <CGAL/Gradient_domain_processing/visitor.h>
 
 #include <algorithm>
@@ -65,6 +66,16 @@ inline Error_code denoise_parts(const Indexed_triangles& mesh, const std::vector
   return ok;
 }
 
+inline Error_code denoise_triangles(const Indexed_triangles& mesh, const std::vector<char>& is_constrained,
+                                    const Denoising_options& options, bool parallel, Progress& progress,
+                                    std::vector<Vec3>& points, Denoising_summary& summary)
+{
+  const std::vector<std::vector<int> > parts = parts_to_denoise(mesh);
+  if(parts.size() > 1)
+    return denoise_parts(mesh, parts, is_constrained, options, parallel, progress, points, summary);
+  return Denoiser(mesh, is_constrained, options, parallel, points, summary)(progress, points);
+}
+
 // Constrained vertices stay where they are, to the bit. Every component of the mesh has noise of its own. On an error,
 // `points` are to be thrown away; they may be those of the mesh.
 inline Error_code denoise_points(const Indexed_triangles& mesh, const std::vector<char>& is_constrained,
@@ -79,10 +90,17 @@ inline Error_code denoise_points(const Indexed_triangles& mesh, const std::vecto
   if(!progress.go_on(0))
     return error_cancelled;
   Stage_scope stage(progress, Stage::SOLVE);
-  const std::vector<std::vector<int> > parts = parts_to_denoise(mesh);
-  if(parts.size() > 1)
-    return denoise_parts(mesh, parts, is_constrained, options, parallel, progress, points, summary);
-  return Denoiser(mesh, is_constrained, options, parallel, points, summary)(progress, points);
+  const int number_of_polygons = mesh.virtual_vertices.size();
+  if(number_of_polygons == 0)
+    return denoise_triangles(mesh, is_constrained, options, parallel, progress, points, summary);
+  if(const Error_code code =
+       denoise_triangles(split_polygons(mesh), is_constrained, options, parallel, progress, points, summary))
+    return code;
+  for(int k = 0; k < number_of_polygons; ++k)
+    points[std::size_t(mesh.first_virtual_vertex() + k)] = mesh.virtual_vertices.mean(k, [&](int row) {
+      return points[std::size_t(mesh.vertex_of(row))];
+    });
+  return ok;
 }
 
 } // namespace internal

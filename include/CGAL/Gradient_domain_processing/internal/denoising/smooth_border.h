@@ -24,20 +24,23 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Border vertices between two others follow the curve: (w + L) x = w x_input with the Laplacian of the curve and edges
-// of length one.
+// Border vertices between two others follow the curve, those where borders meet stay: (w + L) x = w x_input with the
+// Laplacian of the curve and edges of length one.
 inline void smooth_border(const Indexed_triangles& mesh, const Dual_graph& dual,
                           const std::vector<char>& is_constrained, bool parallel, std::vector<Vec3>& points)
 {
   const std::size_t n = points.size();
   std::vector<std::array<int, 2> > sides(n, {{-1, -1}});
+  std::vector<int> degree(n, 0);
   for(int f = 0; f < mesh.number_of_triangles(); ++f)
     for(int i = 0; i < 3; ++i)
       if(dual.is_border(mesh, f, i))
         for(int j = 0; j < 2; ++j)
         {
           const int v = mesh.triangles[f][(i + j) % 3];
-          sides[v][sides[v][0] < 0 ? 0 : 1] = mesh.triangles[f][(i + 1 - j) % 3];
+          if(degree[v] < 2)
+            sides[v][degree[v]] = mesh.triangles[f][(i + 1 - j) % 3];
+          ++degree[v];
         }
   const double weight = denoising::border_curve_weight;
   std::vector<double> inverse_diagonal(n, 0);
@@ -46,7 +49,7 @@ inline void smooth_border(const Indexed_triangles& mesh, const Dual_graph& dual,
     return Vec3(p[v] - p[sides[v][0]] + p[v] - p[sides[v][1]]);
   };
   for(int v = 0; v < int(n); ++v)
-    if(sides[v][1] >= 0 && !is_constrained[v])
+    if(degree[v] == 2 && !is_constrained[v])
     {
       right[v] = -differences(points, v);
       inverse_diagonal[v] = 1 / (weight + 2);

@@ -22,6 +22,7 @@
 #include <CGAL/Gradient_domain_processing/internal/mesh/Indexed_triangles.h>
 #include <CGAL/Gradient_domain_processing/internal/metric/Triangle_metrics.h>
 
+#include <cstddef>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -46,6 +47,7 @@ public:
     Triangle_metrics metrics;
     Energy_weights weights;
     Second_order_energy second_order;
+    int constraints_of_second_order = 1; // how many it needs where nothing else acts
   };
 
 private:
@@ -83,11 +85,12 @@ public:
   }
 
   // With or without it the matrix has another pattern.
-  void set_second_order(Second_order_energy energy)
+  void set_second_order(Second_order_energy energy, int needed_constraints = 1)
   {
     if(!energy && !has_second_order())
       return;
     m_coefficients.second_order = std::move(energy);
+    m_coefficients.constraints_of_second_order = needed_constraints;
     m_is_analyzed = m_is_factorized = false;
   }
 
@@ -125,8 +128,8 @@ private:
   Error_code solve_as_it_is(const Target_field& target, Progress& progress, Signal& displacement,
                             bool displaces_constraints);
 
-  // False where it cannot be hoped for.
-  bool turn_to_cholesky(Progress& progress);
+  // Of one matrix and one solution: what comes after is not known here.
+  Solver_task solver_task(std::size_t number_of_unknowns) const;
 
   bool has_virtual_vertices() const { return mesh.virtual_vertices.size() > 0; }
   bool has_second_order() const { return bool(m_coefficients.second_order); }

@@ -19,7 +19,12 @@
 #include <CGAL/Gradient_domain_processing/internal/energy/recenter.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/right_hand_side.h>
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/ordering/elimination_order.h>
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/turn_to_cholesky.h>
+#include <CGAL/Gradient_domain_processing/internal/parallel/number_of_threads.h>
 #include <CGAL/Gradient_domain_processing/internal/separate_compilation.h>
+
+#include <algorithm>
+#include <cstddef>
 
 namespace CGAL {
 namespace Gradient_domain_processing {
@@ -29,7 +34,8 @@ CGAL_GDP_INLINE Error_code Linear_system::factorize(Progress& progress)
 {
   if(m_is_factorized && (m_dofs.size() == 0 || m_solver->has_factor()))
     return ok;
-  if(has_floating_component(mesh, m_coefficients.weights, has_second_order(), is_constrained))
+  if(has_floating_component(mesh, m_coefficients.weights,
+                            has_second_order() ? m_coefficients.constraints_of_second_order : 0, is_constrained))
     return error_unconstrained;
   if(const Error_code code = analyze(progress))
     return code;
@@ -87,21 +93,24 @@ Error_code Linear_system::solve(const Target_field& target, Progress& progress, 
                                 bool displaces_constraints)
 {
   const Error_code code = solve_as_it_is(target, progress, displacement, displaces_constraints);
-  if(code != error_not_converged || !turn_to_cholesky(progress))
+  if(code != error_not_converged || !turn_to_cholesky(m_dofs.size(), progress, m_solver))
     return code;
+  m_is_analyzed = m_is_factorized = false;
   return solve_as_it_is(target, progress, displacement, displaces_constraints);
 }
 
-CGAL_GDP_INLINE bool Linear_system::turn_to_cholesky(Progress& progress)
+CGAL_GDP_INLINE Solver_task Linear_system::solver_task(std::size_t number_of_unknowns) const
 {
-  // degrees of freedom; where there are more, memory may be why no Cholesky was asked for
-  constexpr int largest = 1000000;
-  if(!m_solver->is_iterative || m_dofs.size() > largest)
-    return false;
-  m_solver = any_linear_solver(Default_sparse_linear_solver());
-  m_is_analyzed = m_is_factorized = false;
-  progress.notice("the iterative solver did not converge; the system is solved by Cholesky factorization");
-  return true;
+  const Energy_weights& weights = m_coefficients.weights;
+  const bool is_known = weights.value_at_vertex.empty() && weights.gradient_at_triangle.empty() && weights.value > 0;
+  Solver_task task;
+  task.unknowns = number_of_unknowns;
+  // where it is not known, one that is large
+  task.gradient_weight = is_known ? weights.gradient / (weights.value * mesh.area(parallel)) : 1;
+  task.has_metric = !m_coefficients.metrics.given.empty();
+  task.is_of_second_order = has_second_order();
+  task.cores = number_of_threads(parallel);
+  return task;
 }
 
 CGAL_GDP_INLINE Error_code Linear_system::analyze(Progress& progress)
@@ -121,7 +130,8 @@ CGAL_GDP_INLINE Error_code Linear_system::analyze(Progress& progress)
   for(int v = 0; v < mesh.number_of_vertices(); ++v)
     is_free[v] = !is_constrained[v] && mesh.corners.size(v) > 0 && v < mesh.first_virtual_vertex();
   bool is_cancelled = false;
-  if(m_solver->needs_order)
+  m_solver->prepare(solver_task(std::size_t(std::count(is_free.begin(), is_free.end(), 1))));
+  if(m_solver->needs_order())
     m_dofs = elimination_order(mesh.points, neighbors(), is_free, parallel,
                                [&] { return !(is_cancelled = !progress.go_on()); });
   else
@@ -130,7 +140,8 @@ CGAL_GDP_INLINE Error_code Linear_system::analyze(Progress& progress)
     return error_cancelled;
   if(has_virtual_vertices())
     m_dofs_with_virtual_vertices = with_virtual_vertices(m_dofs, mesh);
-  m_pattern = sparsity_pattern(rings, assembled_dofs(), m_solver->reads_lower_triangle && !has_own_pattern(), parallel);
+  const bool is_lower = m_solver->reads_lower_triangle() && !has_own_pattern();
+  m_pattern = sparsity_pattern(rings, assembled_dofs(), is_lower, parallel);
   Error_code code = ok;
   if(has_virtual_vertices())
     m_prolongation = prolongation(m_dofs, mesh);
@@ -150,7 +161,7 @@ CGAL_GDP_INLINE void Linear_system::assemble_into(Sparse_matrix& matrix)
   if(matrix.rows() == 0)
     set_pattern(m_pattern, parallel, matrix);
   m_values_weigh_little = assemble(mesh, m_coefficients.metrics, m_coefficients.weights, assembled_dofs(), parallel,
-                                   matrix, !has_second_order());
+                                   matrix, !has_own_pattern());
   if(has_second_order())
   {
     m_second_order = m_coefficients.second_order(mesh, m_coefficients.metrics, parallel);
@@ -158,7 +169,11 @@ CGAL_GDP_INLINE void Linear_system::assemble_into(Sparse_matrix& matrix)
   }
   if(has_virtual_vertices())
     matrix = Sparse_matrix(m_prolongation.transpose() * Sparse_matrix(matrix * m_prolongation));
-  if(has_own_pattern() && m_solver->reads_lower_triangle)
+  if(has_own_pattern())
+    for(int j = 0; j < int(matrix.cols()); ++j)
+      if(double& diagonal = matrix.coeffRef(j, j); diagonal == 0)
+        diagonal = 1; // what nothing acts on stays where it is
+  if(has_own_pattern() && m_solver->reads_lower_triangle())
     matrix = Sparse_matrix(matrix.triangularView<Eigen::Lower>());
 }
 
@@ -173,7 +188,7 @@ CGAL_GDP_INLINE Error_code Linear_system::factorize_or_shift(Sparse_matrix& matr
   const auto go_on = [&] { return progress.go_on(); };
   m_unshifted = Sparse_matrix();
   Error_code code = m_solver->factorize(matrix, go_on);
-  if(code == ok || code == error_cancelled || m_solver->is_iterative)
+  if(code == ok || code == error_cancelled || m_solver->is_iterative())
     return code;
   m_unshifted = matrix;
   for(int j = 0; j < m_dofs.size(); ++j)
@@ -260,7 +275,7 @@ CGAL_GDP_INLINE Error_code Linear_system::solve_refined(Eigen::MatrixXd& values,
 
 CGAL_GDP_INLINE Eigen::MatrixXd Linear_system::multiply(const Eigen::MatrixXd& x) const
 {
-  if(m_solver->reads_lower_triangle)
+  if(m_solver->reads_lower_triangle())
     return m_unshifted.selfadjointView<Eigen::Lower>() * x;
   return m_unshifted * x;
 }

@@ -21,8 +21,9 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-bool has_floating_component(const Indexed_triangles& mesh, const Energy_weights& weights, bool has_second_order,
-                            const std::vector<char>& is_constrained);
+// A term of second order connects as well, and needs so many constrained vertices where no gradients count; 0 for none.
+bool has_floating_component(const Indexed_triangles& mesh, const Energy_weights& weights,
+                            int constraints_of_second_order, const std::vector<char>& is_constrained);
 
 // The same of the border's curves.
 bool has_floating_border(const Indexed_triangles& mesh, const std::vector<Border_edge>& edges,

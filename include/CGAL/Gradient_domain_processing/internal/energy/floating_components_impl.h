@@ -16,42 +16,61 @@
 #include <CGAL/Gradient_domain_processing/internal/mesh/Disjoint_sets.h>
 #include <CGAL/Gradient_domain_processing/internal/separate_compilation.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
 namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// Pieces that stiffness makes of vertices. One that neither a constrained vertex nor a value weight holds has no unique
-// solution.
+// Pieces that stiffness makes of vertices. One that neither enough constrained vertices nor a value weight holds has no
+// unique solution.
 class Stiff_pieces
 {
   Disjoint_sets m_sets;
-  std::vector<char> m_is_stiff, m_is_held;
+  std::vector<char> m_is_stiff, m_has_gradient, m_has_value, m_is_constrained;
 
 public:
-  explicit Stiff_pieces(int n) : m_sets(n), m_is_stiff(n, 0), m_is_held(n, 0) {}
+  explicit Stiff_pieces(int n)
+    : m_sets(n)
+    , m_is_stiff(n, 0)
+    , m_has_gradient(n, 0)
+    , m_has_value(n, 0)
+    , m_is_constrained(n, 0)
+  {
+  }
 
-  void connect(int v, int w)
+  void connect(int v, int w, bool has_gradient)
   {
     m_is_stiff[v] = m_is_stiff[w] = 1;
+    if(has_gradient)
+      m_has_gradient[v] = 1;
     m_sets.join(v, w);
   }
-  void hold(int v) { m_is_held[v] = 1; }
+  void hold(int v) { m_has_value[v] = 1; }
+  void constrain(int v) { m_is_constrained[v] = 1; }
 
-  bool is_any_floating()
+  // `needed` constrained vertices where no gradients count, else one.
+  bool is_any_floating(int needed)
   {
-    std::vector<char> is_held(m_is_held.size(), 0);
-    for(std::size_t v = 0; v < m_is_held.size(); ++v)
-      if(m_is_held[v])
-        is_held[m_sets.root(int(v))] = 1;
+    std::vector<int> count(m_is_stiff.size(), 0), least(m_is_stiff.size(), needed);
     for(std::size_t v = 0; v < m_is_stiff.size(); ++v)
-      if(m_is_stiff[v] && !is_held[m_sets.root(int(v))])
+    {
+      const int root = m_sets.root(int(v));
+      count[root] += m_has_value[v] ? needed : m_is_constrained[v];
+      if(m_has_gradient[v])
+        least[root] = 1;
+    }
+    for(std::size_t v = 0; v < m_is_stiff.size(); ++v)
+      if(m_is_stiff[v] && count[m_sets.root(int(v))] < least[m_sets.root(int(v))])
         return true;
     return false;
   }
 };
 
 CGAL_GDP_INLINE bool has_floating_component(const Indexed_triangles& mesh, const Energy_weights& weights,
-                                            bool has_second_order, const std::vector<char>& is_constrained)
+                                            int constraints_of_second_order, const std::vector<char>& is_constrained)
 {
   if(weights.value_at_vertex.empty() && weights.value > 0)
     return false;
@@ -59,17 +78,18 @@ CGAL_GDP_INLINE bool has_floating_component(const Indexed_triangles& mesh, const
   for(int f = 0; f < mesh.number_of_triangles(); ++f)
   {
     const auto& t = mesh.triangles[f];
-    if(has_second_order || weights.gradient_at(f) > 0)
+    const bool has_gradient = weights.gradient_at(f) > 0;
+    if(constraints_of_second_order > 0 || has_gradient)
       for(int i = 1; i < 3; ++i)
-        pieces.connect(t[0], t[i]);
+        pieces.connect(t[0], t[i], has_gradient);
     if(weights.value_at(t[0]) > 0 || weights.value_at(t[1]) > 0 || weights.value_at(t[2]) > 0)
       for(int v : t)
         pieces.hold(v);
   }
   for(int v = 0; v < mesh.number_of_vertices(); ++v)
     if(is_constrained[v])
-      pieces.hold(v);
-  return pieces.is_any_floating();
+      pieces.constrain(v);
+  return pieces.is_any_floating((std::max)(1, constraints_of_second_order));
 }
 
 CGAL_GDP_INLINE bool has_floating_border(const Indexed_triangles& mesh, const std::vector<Border_edge>& edges,
@@ -81,13 +101,13 @@ CGAL_GDP_INLINE bool has_floating_border(const Indexed_triangles& mesh, const st
     const auto& t = mesh.triangles[e.triangle];
     const int v = t[e.from], w = t[e.to];
     if(weights.gradient_at(e.triangle) > 0)
-      pieces.connect(v, w);
+      pieces.connect(v, w, true);
     const bool has_value = weights.value_at(v) > 0 || weights.value_at(w) > 0;
     for(int end : {v, w})
       if(has_value || is_constrained[end])
         pieces.hold(end);
   }
-  return pieces.is_any_floating();
+  return pieces.is_any_floating(1);
 }
 
 } // namespace internal

@@ -146,6 +146,19 @@ inline Eigen::SparseMatrix<double> means_of_corners(const Matrix_input& input)
   return p;
 }
 
+inline Eigen::SparseMatrix<double> assembled_matrix(const Matrix_input& input, const Triangle_metrics& metrics,
+                                                    const Energy_weights& weights, const Degrees_of_freedom& dofs)
+{
+  Eigen::SparseMatrix<double> assembled;
+  set_pattern(sparsity_pattern(input.mesh.one_rings(input.parallel), dofs, false, input.parallel), input.parallel,
+              assembled);
+  assemble(input.mesh, metrics, weights, dofs, input.parallel, assembled, false);
+  if(input.mesh.virtual_vertices.size() == 0)
+    return assembled;
+  const Eigen::SparseMatrix<double> p = means_of_corners(input);
+  return p.transpose() * Eigen::SparseMatrix<double>(assembled * p);
+}
+
 template <class Surface, class NamedParameters>
 Error_code assemble_matrix(const Surface& surface, double value_weight, double gradient_weight,
                            const NamedParameters& np, Eigen::SparseMatrix<double>& matrix)
@@ -153,21 +166,11 @@ Error_code assemble_matrix(const Surface& surface, double value_weight, double g
   Matrix_input input;
   if(const Error_code code = read_matrix_input(surface, np, input, true))
     return code;
-  const bool has_polygons = input.mesh.virtual_vertices.size() > 0;
   const Degrees_of_freedom dofs = numbered_by_index(input);
   Energy_weights weights;
   weights.value = value_weight;
   weights.gradient = gradient_weight;
-  Eigen::SparseMatrix<double> assembled;
-  set_pattern(sparsity_pattern(input.mesh.one_rings(input.parallel), dofs, false, input.parallel), input.parallel,
-              assembled);
-  assemble(input.mesh, input.metrics, weights, dofs, input.parallel, assembled, false);
-  if(has_polygons)
-  {
-    const Eigen::SparseMatrix<double> p = means_of_corners(input);
-    const Eigen::SparseMatrix<double> product = p.transpose() * Eigen::SparseMatrix<double>(assembled * p);
-    assembled = product;
-  }
+  Eigen::SparseMatrix<double> assembled = assembled_matrix(input, input.metrics, weights, dofs);
   matrix.swap(assembled);
   return ok;
 }

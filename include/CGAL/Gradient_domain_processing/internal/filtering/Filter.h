@@ -74,7 +74,7 @@ public:
   // gamma |hess g|^2, in units of the arrays; 0 for none
   void set_second_order(double weight, Hessian_kind kind);
 
-  // The volume has a meaning where all of a closed mesh moves freely.
+  // The volume has a meaning where all of a closed and oriented mesh moves freely.
   bool encloses_volume() const;
 
   // Every stretch in units of the arrays.

@@ -19,6 +19,7 @@
 #include <CGAL/Gradient_domain_processing/internal/energy/border_energy_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/target_field/Scaled_gradient.h>
 #include <CGAL/Gradient_domain_processing/internal/higher_order/hessian_energy.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/is_oriented.h>
 #include <CGAL/Gradient_domain_processing/internal/separate_compilation.h>
 
 #ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_COMPILED
@@ -71,6 +72,18 @@ CGAL_GDP_INLINE void Filter::hold(Border_condition condition, const std::vector<
     }
 }
 
+// As many vertices as there are functions on a plane that cost nothing; linear ones, and for the trace-free energy
+// x^2 + y^2.
+CGAL_GDP_INLINE int needed_constraints(Hessian_kind kind)
+{
+  switch(kind)
+  {
+    case Hessian_kind::BILAPLACIAN: return 1;
+    case Hessian_kind::TRACE_FREE_HESSIAN: return 4;
+    default: return 3;
+  }
+}
+
 CGAL_GDP_INLINE void Filter::set_second_order(double weight, Hessian_kind kind)
 {
   if(weight == 0)
@@ -79,7 +92,8 @@ CGAL_GDP_INLINE void Filter::set_second_order(double weight, Hessian_kind kind)
     system.set_second_order(
       [weight, kind](const Indexed_triangles& triangles, const Triangle_metrics& metrics, bool parallel) {
         return Sparse_matrix(weight * hessian_energy(triangles, metrics, kind, parallel));
-      });
+      },
+      needed_constraints(kind));
 }
 
 CGAL_GDP_INLINE bool Filter::encloses_volume() const
@@ -87,7 +101,7 @@ CGAL_GDP_INLINE bool Filter::encloses_volume() const
   for(int v = 0; v < mesh().number_of_vertices(); ++v)
     if(mesh().is_on_border[v])
       return false;
-  return std::find(is_held.begin(), is_held.end(), 1) == is_held.end();
+  return std::find(is_held.begin(), is_held.end(), 1) == is_held.end() && is_oriented(mesh());
 }
 
 CGAL_GDP_INLINE Error_code Filter::set_curvature_metric(const std::vector<Principal_curvatures>& curvatures,

@@ -13,6 +13,7 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_ANY_LINEAR_SOLVER_H
 
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/Linear_solver.h>
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/Solver_task.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -29,23 +30,20 @@ namespace internal {
 class Any_linear_solver
 {
 public:
-  const bool reads_lower_triangle, is_iterative, needs_order;
-
   virtual ~Any_linear_solver() {}
+
+  // Before anything else of the following: what it is going to be asked for.
+  virtual void prepare(const Solver_task&) {}
+
+  virtual bool reads_lower_triangle() const = 0;
+  virtual bool is_iterative() const = 0;
+  virtual bool needs_order() const = 0;
 
   virtual Error_code analyze(const Eigen::SparseMatrix<double>& matrix) = 0;
   virtual bool has_factor() const = 0;
   virtual Error_code factorize(const Eigen::SparseMatrix<double>& matrix, const std::function<bool()>& go_on) = 0;
   virtual Error_code solve(const Eigen::MatrixXd& right, Eigen::MatrixXd& solution,
                            const std::function<bool()>& go_on) = 0;
-
-protected:
-  Any_linear_solver(bool lower, bool iterative, bool order)
-    : reads_lower_triangle(lower)
-    , is_iterative(iterative)
-    , needs_order(order)
-  {
-  }
 };
 
 template <class SolverTraits>
@@ -56,10 +54,11 @@ class Any_linear_solver_of : public Any_linear_solver
   Solver m_solver;
 
 public:
-  explicit Any_linear_solver_of(const SolverTraits& traits)
-    : Any_linear_solver(Solver::reads_lower_triangle, Solver::is_iterative, Solver::needs_order), m_solver(traits)
-  {}
+  explicit Any_linear_solver_of(const SolverTraits& traits) : m_solver(traits) {}
 
+  bool reads_lower_triangle() const override { return Solver::reads_lower_triangle; }
+  bool is_iterative() const override { return Solver::is_iterative; }
+  bool needs_order() const override { return Solver::needs_order; }
   Error_code analyze(const Eigen::SparseMatrix<double>& matrix) override { return m_solver.analyze(matrix); }
   bool has_factor() const override { return m_solver.has_factor(); }
   Error_code factorize(const Eigen::SparseMatrix<double>& matrix, const std::function<bool()>& go_on) override

@@ -35,7 +35,14 @@ class Ldlt : public Eigen::CholmodSimplicialLDLT<Eigen::SparseMatrix<double>, Ei
 public:
   typedef Sequential_blas_scope Thread_scope;
 
-  Ldlt() { cholmod().print = 0; }
+  Ldlt()
+  {
+    cholmod().print = 0;
+    // the order of the degrees of freedom, which may be one of nested dissection, or another if that fills in less
+    cholmod().nmethods = 2;
+    cholmod().method[0].ordering = CHOLMOD_NATURAL;
+    cholmod().method[1].ordering = CHOLMOD_AMD;
+  }
 
   double pivot(int i) const
   {

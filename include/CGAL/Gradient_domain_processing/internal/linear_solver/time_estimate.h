@@ -12,26 +12,14 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_TIME_ESTIMATE_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_TIME_ESTIMATE_H
 
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/Solver_task.h>
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/memory_estimate.h>
 
 #include <cmath>
-#include <cstddef>
 
 namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
-
-// What linear solvers shall do.
-struct Solver_task
-{
-  std::size_t unknowns = 0;
-  int channels = 3;
-  int matrices = 1;              // of one pattern
-  int solutions_of_each = 1;
-  double gradient_weight = 1e-4; // of unit area, relative to the value weight
-  bool has_metric = false;       // other than that of the embedding
-  unsigned cores = 1;
-};
 
 // The times are seconds of one core of 2024, of which only ratios matter. Constants were set by spheres with noise, of
 // 3 to 949 thousand vertices, under the metric of the embedding, on one thread: the modelled ratio of both times is
@@ -77,6 +65,8 @@ inline bool multigrid_pays(const Solver_task& task, double memory = available_me
 {
   if(!cholesky_fits(task.unknowns, memory))
     return true;
+  if(task.is_of_second_order) // conditions are squared
+    return false;
   const double saved = cholesky_time(task) - multigrid_time(task);
   return saved > 0.1 && saved > 0.2 * cholesky_time(task);
 }

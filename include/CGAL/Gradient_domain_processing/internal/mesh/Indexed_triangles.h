@@ -45,6 +45,16 @@ struct Virtual_vertices
   std::vector<double> weights; // of each corner; they sum up to one
 
   int size() const { return corners.offsets.empty() ? 0 : corners.size(); }
+
+  // of vectors at the corners, of(row)
+  template <class Of>
+  Vec3 mean(int k, const Of& of) const
+  {
+    Vec3 sum = Vec3::Zero();
+    for(int at = corners.offsets[k]; at < corners.offsets[k + 1]; ++at)
+      sum += weights[std::size_t(at)] * of(corners.items[at]);
+    return sum;
+  }
 };
 
 // The surface, or the region of it that is worked on: points and index triples, a soup with any number of triangles at

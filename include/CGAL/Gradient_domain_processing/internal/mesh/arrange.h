@@ -57,6 +57,9 @@ std::vector<char> read_points(const Vertices& vertices, const Get_point& point, 
   return is_bad;
 }
 
+// Points that no face uses may be anywhere: they get the place of one that is used, and say nothing about the extent.
+void settle_unused_points(const Lists& polygons, Indexed_triangles& mesh);
+
 template <class Faces>
 void index_triangles(bool parallel, Faces& faces, Indexed_triangles& mesh)
 {
@@ -69,6 +72,7 @@ void index_triangles(bool parallel, Faces& faces, Indexed_triangles& mesh)
 template <class Faces>
 void arrange(Reading& reading, Faces& faces, const Lists& polygons, Indexed_triangles& mesh)
 {
+  settle_unused_points(polygons, mesh);
   if(!polygons.offsets.empty())
     fan_polygons(polygons, mesh);
   index_triangles(reading.parallel, faces, mesh);

@@ -15,6 +15,10 @@
 #include <CGAL/Gradient_domain_processing/internal/mesh/arrange.h>
 #include <CGAL/Gradient_domain_processing/internal/separate_compilation.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
 namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
@@ -30,6 +34,26 @@ CGAL_GDP_INLINE Error_code check_points(const std::vector<char>& is_bad, Reading
         return error_invalid_point;
       }
   return ok;
+}
+
+CGAL_GDP_INLINE void settle_unused_points(const Lists& polygons, Indexed_triangles& mesh)
+{
+  std::vector<char> is_used(mesh.points.size(), 0);
+  for(const auto& t : mesh.triangles)
+    for(int row : t)
+      if(row >= 0)
+        is_used[row] = 1;
+  for(int row : polygons.items)
+    if(row >= 0)
+      is_used[row] = 1;
+  const auto used = std::find(is_used.begin(), is_used.end(), 1);
+  if(used == is_used.end() || std::find(is_used.begin(), is_used.end(), 0) == is_used.end())
+    return;
+  const Vec3 place = mesh.points[used - is_used.begin()];
+  for(std::size_t row = 0; row < is_used.size(); ++row)
+    if(!is_used[row])
+      mesh.points[row] = place;
+  normalize_extent(mesh);
 }
 
 CGAL_GDP_INLINE double polygon_area(const std::vector<Vec3>& polygon)

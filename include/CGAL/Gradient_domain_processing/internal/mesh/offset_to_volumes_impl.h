@@ -42,80 +42,109 @@ inline std::vector<Vec3> unit_offsets(const Indexed_triangles& mesh, const std::
       offsets[std::size_t(v)] /= (std::max)(height / area, least_cosine);
   }
   // what is inside of a polygon follows its corners
-  const Virtual_vertices& inside = mesh.virtual_vertices;
-  for(int k = 0; k < inside.size(); ++k)
-  {
-    Vec3 mean = Vec3::Zero();
-    for(int at = inside.corners.offsets[k]; at < inside.corners.offsets[k + 1]; ++at)
-      mean += inside.weights[std::size_t(at)] * offsets[std::size_t(mesh.vertex_of(inside.corners.items[at]))];
-    offsets[std::size_t(mesh.first_virtual_vertex() + k)] = mean;
-  }
+  for(int k = 0; k < mesh.virtual_vertices.size(); ++k)
+    offsets[std::size_t(mesh.first_virtual_vertex() + k)] = mesh.virtual_vertices.mean(k, [&](int row) {
+      return offsets[std::size_t(mesh.vertex_of(row))];
+    });
   return offsets;
 }
 
-CGAL_GDP_INLINE int offset_to_volumes(const Indexed_triangles& mesh, const std::vector<Vec3>& before, bool parallel,
-                                      std::vector<Vec3>& after)
+// The components of a surface, each with its offset.
+class Volume_offsets
 {
   struct Part
   {
     double wanted = 0, area = 0, length = 0, volume = 0, slope = 0; // `length` of the offset
     int origin = -1;
+
+    bool has_volume() const { return std::abs(wanted) > 1e-9 * std::pow(area, 1.5); }
+    bool is_reached() const
+    {
+      return std::abs(length) * area <= std::abs(wanted) && std::abs(volume - wanted) <= 1e-6 * std::abs(wanted);
+    }
   };
-  const Components components = connected_components(mesh);
-  std::vector<Part> parts(std::size_t(components.count));
-  const auto part_of = [&](int f) -> Part& {
-    return parts[std::size_t(components.of_vertex[std::size_t(mesh.triangles[std::size_t(f)][0])])];
-  };
-  const auto volume = [&](int f, const std::vector<Vec3>& points) {
-    const auto& t = mesh.triangles[std::size_t(f)];
-    const Vec3& origin = before[std::size_t(part_of(f).origin)];
-    return mesh.area_vector(f, points).dot(points[std::size_t(t[0])] - origin) / 6;
-  };
-  for(int f = 0; f < mesh.number_of_triangles(); ++f)
+  const Indexed_triangles& m_mesh;
+  const std::vector<Vec3>& m_before;
+  Components m_components;
+  std::vector<Part> m_parts;
+
+  int part_of_vertex(int v) const { return m_components.of_vertex[std::size_t(v)]; }
+  Part& part_of(int f) { return m_parts[std::size_t(part_of_vertex(m_mesh.triangles[std::size_t(f)][0]))]; }
+
+  // of the tetrahedron of a triangle and an origin in its component
+  double volume(int f, const std::vector<Vec3>& points)
   {
-    Part& part = part_of(f);
-    if(part.origin < 0)
-      part.origin = mesh.triangles[std::size_t(f)][0];
-    part.wanted += volume(f, before);
-    part.area += mesh.area_vector(f, before).norm() / 2;
+    const Vec3& origin = m_before[std::size_t(part_of(f).origin)];
+    return m_mesh.area_vector(f, points).dot(points[std::size_t(m_mesh.triangles[std::size_t(f)][0])] - origin) / 6;
   }
 
-  const std::vector<Vec3> offsets = unit_offsets(mesh, after, parallel);
-  std::vector<Vec3> moved = after;
-  for(int step = 0; step < 8; ++step) // Newton's; the volume is cubic
+public:
+  Volume_offsets(const Indexed_triangles& mesh, const std::vector<Vec3>& before)
+    : m_mesh(mesh)
+    , m_before(before)
+    , m_components(connected_components(mesh))
+    , m_parts(std::size_t(m_components.count))
   {
-    for(Part& part : parts)
-      part.volume = part.slope = 0;
     for(int f = 0; f < mesh.number_of_triangles(); ++f)
     {
       Part& part = part_of(f);
-      part.volume += volume(f, moved);
-      for(int v : mesh.triangles[std::size_t(f)])
-        part.slope += mesh.area_vector(f, moved).dot(offsets[std::size_t(v)]) / 6;
+      if(part.origin < 0)
+        part.origin = mesh.triangles[std::size_t(f)][0];
+      part.wanted += volume(f, before);
+      part.area += mesh.area_vector(f, before).norm() / 2;
     }
-    for(Part& part : parts)
-      if(std::abs(part.wanted - part.volume) > 1e-13 * std::abs(part.wanted))
-        part.length += (part.wanted - part.volume) / part.slope;
-    for(int v = 0; v < mesh.number_of_vertices(); ++v)
-      moved[std::size_t(v)] =
-        after[std::size_t(v)]
-        + parts[std::size_t(components.of_vertex[std::size_t(v)])].length * offsets[std::size_t(v)];
   }
 
-  const auto has_volume = [](const Part& part) { return std::abs(part.wanted) > 1e-9 * std::pow(part.area, 1.5); };
-  const auto is_reached = [](const Part& part) {
-    return std::abs(part.length) * part.area <= std::abs(part.wanted)
-        && std::abs(part.volume - part.wanted) <= 1e-6 * std::abs(part.wanted);
-  };
-  for(int v = 0; v < mesh.number_of_vertices(); ++v)
+  // A step of Newton's.
+  void improve(const std::vector<Vec3>& offsets, const std::vector<Vec3>& moved)
   {
-    const Part& part = parts[std::size_t(components.of_vertex[std::size_t(v)])];
-    if(part.length != 0 && has_volume(part) && is_reached(part)) // else to the bit
-      after[std::size_t(v)] = moved[std::size_t(v)];
+    for(Part& part : m_parts)
+      part.volume = part.slope = 0;
+    for(int f = 0; f < m_mesh.number_of_triangles(); ++f)
+    {
+      Part& part = part_of(f);
+      part.volume += volume(f, moved);
+      for(int v : m_mesh.triangles[std::size_t(f)])
+        part.slope += m_mesh.area_vector(f, moved).dot(offsets[std::size_t(v)]) / 6;
+    }
+    for(Part& part : m_parts)
+      if(std::abs(part.wanted - part.volume) > 1e-13 * std::abs(part.wanted))
+        part.length += (part.wanted - part.volume) / part.slope;
   }
-  return int(std::count_if(parts.begin(), parts.end(), [&](const Part& part) {
-    return part.origin >= 0 && has_volume(part) && !is_reached(part);
-  }));
+
+  double length(int v) const { return m_parts[std::size_t(part_of_vertex(v))].length; }
+
+  // Other vertices stay, to the bit.
+  bool is_moved(int v) const
+  {
+    const Part& part = m_parts[std::size_t(part_of_vertex(v))];
+    return part.length != 0 && part.has_volume() && part.is_reached();
+  }
+
+  int number_of_failures() const
+  {
+    return int(std::count_if(m_parts.begin(), m_parts.end(), [](const Part& part) {
+      return part.origin >= 0 && part.has_volume() && !part.is_reached();
+    }));
+  }
+};
+
+CGAL_GDP_INLINE int offset_to_volumes(const Indexed_triangles& mesh, const std::vector<Vec3>& before, bool parallel,
+                                      std::vector<Vec3>& after)
+{
+  Volume_offsets parts(mesh, before);
+  const std::vector<Vec3> offsets = unit_offsets(mesh, after, parallel);
+  std::vector<Vec3> moved = after;
+  for(int step = 0; step < 8; ++step) // the volume is cubic
+  {
+    parts.improve(offsets, moved);
+    for(int v = 0; v < mesh.number_of_vertices(); ++v)
+      moved[std::size_t(v)] = after[std::size_t(v)] + parts.length(v) * offsets[std::size_t(v)];
+  }
+  for(int v = 0; v < mesh.number_of_vertices(); ++v)
+    if(parts.is_moved(v))
+      after[std::size_t(v)] = moved[std::size_t(v)];
+  return parts.number_of_failures();
 }
 
 } // namespace internal

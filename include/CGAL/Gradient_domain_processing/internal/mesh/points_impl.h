@@ -34,9 +34,11 @@ CGAL_GDP_INLINE void normalize_extent(Indexed_triangles& mesh)
   const double extent = (high - low).maxCoeff();
   if(!(extent > 0))
     return;
-  std::frexp(extent, &mesh.exponent);
-  mesh.exponent = (std::max)(mesh.exponent, -500); // lest the factor overflow
-  const double factor = std::ldexp(1., -mesh.exponent);
+  const int before = mesh.exponent;
+  int power;
+  std::frexp(extent, &power);
+  mesh.exponent = (std::max)(before + power, -500); // lest the factor overflow
+  const double factor = std::ldexp(1., before - mesh.exponent);
   for(Vec3& p : mesh.points)
     p *= factor;
 }

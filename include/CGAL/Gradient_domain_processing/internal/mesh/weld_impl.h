@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <unordered_map>
 #include <vector>
 
@@ -101,21 +102,35 @@ private:
   }
 };
 
+// Points that no triangle uses may be anywhere. What is less than the digits of the coordinates is none.
+CGAL_GDP_INLINE double length_of_tolerance(double tolerance, const Indexed_triangles& mesh)
+{
+  if(!(tolerance > 0))
+    return 0;
+  const double infinity = std::numeric_limits<double>::infinity();
+  Vec3 low = Vec3::Constant(infinity), high = -low;
+  for(const auto& t : mesh.triangles)
+    for(int v : t)
+    {
+      low = low.cwiseMin(mesh.points[v]);
+      high = high.cwiseMax(mesh.points[v]);
+    }
+  const double length = tolerance * (high - low).maxCoeff(),
+               largest = (std::max)(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
+  return length > std::numeric_limits<double>::epsilon() * largest ? length : 0;
+}
+
 CGAL_GDP_INLINE int weld_border(double tolerance, Indexed_triangles& mesh)
 {
   const int n = mesh.number_of_vertices();
-  Vec3 low = mesh.points.front(), high = low;
-  for(const Vec3& p : mesh.points)
-  {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
   std::vector<int> candidates;
   for(int v = 0; v < n; ++v)
     if(mesh.is_on_border[v])
       candidates.push_back(v);
+  if(candidates.empty())
+    return 0;
   Disjoint_sets sets(n);
-  Coincident_points(mesh.points, tolerance * (high - low).maxCoeff()).join(candidates, sets);
+  Coincident_points(mesh.points, length_of_tolerance(tolerance, mesh)).join(candidates, sets);
 
   std::vector<int> number(n, -1);
   mesh.vertex_of_row.resize(n);

@@ -14,6 +14,7 @@
 
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/Shifted_factor.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 #include <Eigen/SparseCore>
@@ -37,21 +38,21 @@ struct Eigenpairs
 
 // The eigenpairs of (A, B) around a shift, by the Lanczos process for (A - sigma B)^-1 B, several vectors at a time: a
 // multiple eigenvalue shows as often as a block has vectors, and the factor is read once for all of them. Every vector
-// is made orthogonal to all before, and to eigenvectors that are known.
+// is made orthogonal to all before.
 class Block_lanczos
 {
-  static constexpr int block_size = 4; // as many as CHOLMOD solves for at a time
+  static constexpr int block_size = 2;
 
   const Eigen::SparseMatrix<double>& m_b;
   const Shifted_factor& m_factor;
-  const Eigen::MatrixXd& m_known;
   const double m_sigma, m_tolerance;
   std::mt19937 m_random;
 
-  Eigen::MatrixXd m_basis;     // the last block is not multiplied yet
+  Eigen::MatrixXd m_basis;     // with room for more columns
   Eigen::MatrixXd m_projected; // of the operator on the basis
   Eigen::MatrixXd m_coupling;  // from the last block that was multiplied to the next
-  int m_size = 0;              // of the basis that was multiplied
+  int m_columns = 0;           // of the basis; the last block is not multiplied yet
+  int m_size = 0;              // those that were multiplied
 
 public:
   struct Ritz_pairs
@@ -61,44 +62,38 @@ public:
     Eigen::MatrixXd coefficients;
   };
 
-  // `known` are eigenvectors not to be found again.
-  Block_lanczos(const Eigen::SparseMatrix<double>& b, const Shifted_factor& factor, const Eigen::MatrixXd& known,
-                double sigma, double tolerance)
+  Block_lanczos(const Eigen::SparseMatrix<double>& b, const Shifted_factor& factor, double sigma, double tolerance)
     : m_b(b)
     , m_factor(factor)
-    , m_known(known)
     , m_sigma(sigma)
     , m_tolerance(tolerance)
     , m_random(1)
   {
-    m_basis.resize(b.rows(), block());
-    for(int j = 0; j < block(); ++j)
-      set_random(m_basis.col(j));
-    Eigen::MatrixXd first = m_basis;
-    m_basis.resize(b.rows(), 0);
-    orthonormalize(first);
-    m_basis = first;
+    Eigen::MatrixXd first(b.rows(), (std::min)(block_size, int(b.rows())));
+    for(int j = 0; j < int(first.cols()); ++j)
+      set_random(first.col(j));
+    append(first);
   }
 
   int size() const { return m_size; }
   // Whether the basis can still grow.
-  bool can_grow() const { return m_basis.cols() > m_size; }
+  bool can_grow() const { return m_columns > m_size; }
 
   void grow()
   {
-    const int next = int(m_basis.cols());
-    Eigen::MatrixXd image = m_factor.solve(m_b * m_basis.rightCols(next - m_size));
-    const Eigen::MatrixXd coefficients = project(image);
+    const int next = m_columns, width = next - m_size, first = (std::max)(0, m_size - block_size);
+    Eigen::MatrixXd image = m_factor.solve(m_b * m_basis.middleCols(m_size, width));
+    // it has no part along earlier blocks but for rounding, which append() takes out
+    const Eigen::MatrixXd coefficients = project(image, first);
     m_projected.conservativeResize(next, next);
-    m_projected.rightCols(next - m_size) = coefficients;
-    m_projected.bottomLeftCorner(next - m_size, m_size) = coefficients.topRows(m_size).transpose();
+    m_projected.rightCols(width).setZero();
+    m_projected.bottomRows(width).setZero();
+    m_projected.bottomRightCorner(next - first, width) = coefficients;
+    m_projected.bottomRightCorner(width, next - first) = coefficients.transpose();
     m_size = next;
-
-    Eigen::MatrixXd residual = image;
-    orthonormalize(residual);
-    m_coupling = residual.transpose() * (m_b * image);
-    m_basis.conservativeResize(Eigen::NoChange, next + residual.cols());
-    m_basis.rightCols(residual.cols()) = residual;
+    const Eigen::MatrixXd weighted = m_b * image;
+    append(image);
+    m_coupling = m_basis.middleCols(m_size, m_columns - m_size).transpose() * weighted;
   }
 
   Ritz_pairs ritz_pairs() const
@@ -123,11 +118,12 @@ public:
     return pairs;
   }
 
-  Eigen::MatrixXd vectors(const Eigen::MatrixXd& coefficients) const { return m_basis.leftCols(m_size) * coefficients; }
+  Eigen::MatrixXd vectors(const Eigen::MatrixXd& coefficients) const
+  {
+    return m_basis.leftCols(coefficients.rows()) * coefficients;
+  }
 
 private:
-  int block() const { return (std::min)(block_size, int(m_b.rows() - m_known.cols())); }
-
   template <class Vector>
   void set_random(Vector&& v)
   {
@@ -135,44 +131,87 @@ private:
       v[i] = double(m_random()) / 2147483648. - 1;
   }
 
-  // Takes what is in the span of the basis and of what is known, and answers the coefficients of the former. Twice is
-  // enough.
-  Eigen::MatrixXd project(Eigen::MatrixXd& w) const
+  // Takes what is in the span of the basis, or of the columns from one on, and answers the coefficients. Eigen's
+  // products of matrices would copy the basis; what is done here fits in the cache, some rows at a time.
+  Eigen::MatrixXd project(Eigen::MatrixXd& w, int first = 0) const
   {
-    Eigen::MatrixXd coefficients = Eigen::MatrixXd::Zero(m_basis.cols(), w.cols());
-    for(int pass = 0; pass < 2; ++pass)
+    constexpr Eigen::Index rows = 1024;
+    const Eigen::MatrixXd image = m_b * w;
+    Eigen::MatrixXd coefficients = Eigen::MatrixXd::Zero(m_columns - first, w.cols());
+    for(Eigen::Index row = 0; row < w.rows(); row += rows)
     {
-      const Eigen::MatrixXd image = m_b * w;
-      if(m_known.cols() > 0)
-        w.noalias() -= m_known * (m_known.transpose() * image);
-      if(m_basis.cols() > 0)
-      {
-        const Eigen::MatrixXd part = m_basis.transpose() * image;
-        w.noalias() -= m_basis * part;
-        coefficients += part;
-      }
+      const Eigen::Index size = (std::min)(rows, w.rows() - row);
+      for(Eigen::Index j = 0; j < coefficients.rows(); ++j)
+        for(Eigen::Index k = 0; k < w.cols(); ++k)
+          coefficients(j, k) += m_basis.col(first + j).segment(row, size).dot(image.col(k).segment(row, size));
+    }
+    for(Eigen::Index row = 0; row < w.rows(); row += rows)
+    {
+      const Eigen::Index size = (std::min)(rows, w.rows() - row);
+      for(Eigen::Index j = 0; j < coefficients.rows(); ++j)
+        for(Eigen::Index k = 0; k < w.cols(); ++k)
+          w.col(k).segment(row, size) -= coefficients(j, k) * m_basis.col(first + j).segment(row, size);
     }
     return coefficients;
   }
 
-  // Makes the columns orthonormal, to the basis as well. One that depends on others is replaced by a random one, or,
-  // where there is no room for it, dropped.
-  void orthonormalize(Eigen::MatrixXd& w)
+  // Appends the columns, orthonormal to all and to each other, given that they are about orthogonal to the basis.
+  void append(Eigen::MatrixXd& w)
+  {
+    const Eigen::MatrixXd before = w;
+    bool is_done = orthonormalize(w);
+    if(is_done && m_columns > 0)
+    {
+      project(w);
+      is_done = orthonormalize(w);
+    }
+    if(!is_done)
+    {
+      w = before;
+      orthonormalize_one_by_one(w);
+    }
+    const int columns = m_columns + int(w.cols());
+    if(columns > int(m_basis.cols()))
+      m_basis.conservativeResize(m_b.rows(), columns + 16 * block_size);
+    m_basis.middleCols(m_columns, w.cols()) = w;
+    m_columns = columns;
+  }
+
+  // Among themselves. False where they depend on each other, or all but, or fill more than the space.
+  bool orthonormalize(Eigen::MatrixXd& w) const
+  {
+    if(m_columns + w.cols() > m_b.rows())
+      return false;
+    const Eigen::MatrixXd products = w.transpose() * (m_b * w);
+    const Eigen::LLT<Eigen::MatrixXd> factor(products);
+    if(factor.info() != Eigen::Success)
+      return false;
+    const Eigen::MatrixXd lower = factor.matrixL();
+    for(Eigen::Index j = 0; j < w.cols(); ++j)
+      if(!(lower(j, j) > 1e-5 * std::sqrt(products(j, j))))
+        return false;
+    const Eigen::MatrixXd inverse =
+      lower.triangularView<Eigen::Lower>().solve(Eigen::MatrixXd::Identity(w.cols(), w.cols()));
+    w = w * inverse.transpose();
+    return true;
+  }
+
+  // One that depends on others is replaced by a random one, or, where there is no room for it, dropped.
+  void orthonormalize_one_by_one(Eigen::MatrixXd& w)
   {
     int kept = 0;
-    const Eigen::Index room = m_b.rows() - m_known.cols() - m_basis.cols();
+    const Eigen::Index room = m_b.rows() - m_columns;
     for(int j = 0; j < int(w.cols()) && kept < room; ++j)
     {
       Eigen::MatrixXd v = w.col(j);
       for(int attempt = 0; attempt < 3; ++attempt)
       {
         const double before = norm(v);
-        for(int pass = 0; pass < 2; ++pass)
+        for(int pass = 0; pass < 3; ++pass)
         {
           project(v);
           const Eigen::MatrixXd image = m_b * v;
-          if(kept > 0)
-            v -= w.leftCols(kept) * (w.leftCols(kept).transpose() * image);
+          v -= w.leftCols(kept) * (w.leftCols(kept).transpose() * image);
         }
         const double after = norm(v);
         if(after > 1e-8 * before)

@@ -12,40 +12,83 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_SPECTRUM_RATIONAL_FILTER_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_SPECTRUM_RATIONAL_FILTER_H
 
+#include <CGAL/Gradient_domain_processing/internal/spectrum/Chebyshev_series.h>
+
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// A transfer function as a sum of partial fractions, so that a signal is filtered without any harmonics, by one
-// positive definite system a fraction. Those of second degree have a pair of complex poles, and are real with S M^-1 S
-// in the matrix.
+// A transfer function as a number and rational functions, each with one pole on the negative axis, so that a signal is
+// filtered without any harmonics, by one positive definite system for every pole. Knows how far it is from the function
+// that was asked for.
 class Rational_filter
 {
-public:
-  // weight * (constant - slope z) / (z^2 + 2 shift z + 1), z = mu / cut_off; with first degree, weight / (z + 1)
-  struct Fraction
-  {
-    double cut_off, weight, slope, shift;
-    bool has_second_degree;
-  };
+  static constexpr int largest_degree = 1000;
+  static constexpr double tolerance = 1e-8; // of the filters of Butterworth
 
-private:
-  double m_constant = 0;
-  std::vector<Fraction> m_fractions; // those of one cut-off follow each other
+  std::function<double(double)> m_function;
+  double m_constant = 0, m_error_bound = 0;
+  std::vector<Chebyshev_series> m_series;
 
 public:
   double constant() const { return m_constant; }
-  const std::vector<Fraction>& fractions() const { return m_fractions; }
+  const std::vector<Chebyshev_series>& series() const { return m_series; }
+
+  // Of the approximation, from 0 to infinity; infinite where there is none.
+  double error_bound() const { return m_error_bound; }
+
+  // What was asked for.
+  double operator()(double mu) const { return m_function(mu); }
+
+  // What is applied.
+  double approximation(double mu) const
+  {
+    double sum = m_constant;
+    for(const Chebyshev_series& s : m_series)
+      sum += s(mu);
+    return sum;
+  }
+
+  int degree() const
+  {
+    int sum = 0;
+    for(const Chebyshev_series& s : m_series)
+      sum += s.degree();
+    return sum;
+  }
 
   // The same of eigenvalues that are multiplied by a factor.
   Rational_filter scaled(double factor) const
   {
     Rational_filter result = *this;
-    for(Fraction& fraction : result.m_fractions)
-      fraction.cut_off *= factor;
+    for(Chebyshev_series& s : result.m_series)
+      s = s.scaled(factor);
+    result.m_function = [function = m_function, factor](double mu) { return function(mu / factor); };
+    return result;
+  }
+
+  // 1 - h
+  Rational_filter complement() const
+  {
+    Rational_filter result = sum_with(-1, Rational_filter(), 0);
+    result.m_constant += 1;
+    result.m_function = [function = m_function](double mu) { return 1 - function(mu); };
+    return result;
+  }
+
+  // Without what another filter lets pass.
+  Rational_filter minus(const Rational_filter& other) const
+  {
+    Rational_filter result = sum_with(1, other, -1);
+    result.m_function = [a = m_function, b = other.m_function](double mu) { return a(mu) - b(mu); };
     return result;
   }
 
@@ -53,63 +96,102 @@ public:
   // is within q^order of one, and at mu = cut_off / q within q^order of zero.
   static Rational_filter low_pass(double cut_off, int order)
   {
-    Rational_filter filter;
-    filter.add_low_pass(cut_off, order, 1);
-    return filter;
+    return approximation_at({cut_off}, [=](double mu) { return 1 / (1 + std::pow(mu / cut_off, order)); }, tolerance);
   }
 
-  static Rational_filter high_pass(double cut_off, int order)
-  {
-    Rational_filter filter;
-    filter.m_constant = 1;
-    filter.add_low_pass(cut_off, order, -1);
-    return filter;
-  }
-
-  // What is between the two cut-offs.
+  // What is between the two cut-offs: around a center between them, or, where they are far apart, around each.
   static Rational_filter band_pass(double low, double high, int order)
   {
+    const Rational_filter apart = low_pass(high, order).minus(low_pass(low, order));
+    Rational_filter together = approximation_at({std::sqrt(low * high)}, apart.m_function, tolerance);
+    return together.degree() > 0 && together.degree() <= apart.degree() ? together : apart;
+  }
+
+  // Chebyshev's series of a step at the cut-off, with damped coefficients: exactly what is asked for. damping(x) is one
+  // at 0 and about zero at 1.
+  static Rational_filter windowed_step(double cut_off, int degree, const std::function<double(double)>& damping)
+  {
+    const double pi = 4 * std::atan(1.);
+    std::vector<double> coefficients(1, 0.5);
+    for(int k = 1; k <= degree; ++k) // of 1 for t < 0, where the angle is above pi / 2
+      coefficients.push_back(-2 * std::sin(k * pi / 2) / (k * pi) * damping(k / (degree + 1.)));
     Rational_filter filter;
-    filter.add_low_pass(high, order, 1);
-    filter.add_low_pass(low, order, -1);
+    filter.m_series.emplace_back(cut_off, std::move(coefficients));
+    filter.m_series[0].set_ends(1, 0);
+    filter.m_function = filter.m_series[0];
     return filter;
   }
 
-  static Rational_filter band_stop(double low, double high, int order)
+  // Any function, with a center near the given one that needs the least degree.
+  static Rational_filter approximation_near(double center, const std::function<double(double)>& function,
+                                            double largest_error)
   {
-    Rational_filter filter;
-    filter.m_constant = 1;
-    filter.add_low_pass(high, order, -1);
-    filter.add_low_pass(low, order, 1);
-    return filter;
-  }
-
-  // The transfer function, exactly.
-  double operator()(double mu) const
-  {
-    double sum = m_constant;
-    for(const Fraction& fraction : m_fractions)
-    {
-      const double z = mu / fraction.cut_off;
-      sum += fraction.has_second_degree
-               ? fraction.weight * (1 - fraction.slope * z) / (z * z + 2 * fraction.shift * z + 1)
-               : fraction.weight / (z + 1);
-    }
-    return sum;
+    std::vector<double> centers;
+    for(int k = 0; k <= 4; ++k) // the given one first
+      for(double factor : {std::pow(4., k), std::pow(4., -k)})
+        centers.push_back(center * factor);
+    return approximation_at(centers, function, largest_error);
   }
 
 private:
-  // The poles of 1 / (1 + z^n) are the n-th roots of -1, in pairs but for -1 itself.
-  void add_low_pass(double cut_off, int order, double sign)
+  static Rational_filter approximation_at(const std::vector<double>& centers,
+                                          const std::function<double(double)>& function, double largest_error)
+  {
+    Rational_filter best;
+    best.m_function = function;
+    best.m_error_bound = std::numeric_limits<double>::infinity();
+    for(double center : centers)
+    {
+      for(int size = 32; size <= 4 * largest_degree && best.m_series.empty(); size *= 2)
+        best.improve(center, size, largest_error);
+      if(!best.m_series.empty())
+        best.improve(center, 4 * best.m_series[0].degree() + 32, largest_error);
+    }
+    return best;
+  }
+
+  // Takes the series around a center if it keeps the bound, as is seen between the points of the interpolation, and has
+  // a lower degree.
+  void improve(double center, int size, double largest_error)
+  {
+    Chebyshev_series series = Chebyshev_series::interpolation(center, m_function, size);
+    series.truncate(largest_error / 4);
+    if(series.degree() > largest_degree || (!m_series.empty() && series.degree() >= m_series[0].degree()))
+      return;
+    series.set_at_zero(m_function(0));
+    const double bound = 2 * largest_difference(series, 4 * size);
+    if(!(bound <= largest_error))
+      return;
+    m_error_bound = bound;
+    m_series.assign(1, series);
+  }
+
+  // On points of all scales. The bound is twice as much, for what is between them.
+  double largest_difference(const Chebyshev_series& series, int number_of_points) const
   {
     const double pi = 4 * std::atan(1.);
-    for(int k = 0; 2 * k + 1 < order; ++k)
+    double most = 0;
+    for(int j = 0; j <= number_of_points; ++j)
     {
-      const double cosine = std::cos(pi * (2 * k + 1) / order);
-      m_fractions.push_back({cut_off, 2 * sign / order, cosine, -cosine, true});
+      const double tangent = std::tan(j * pi / (2 * number_of_points));
+      const double mu = series.center() * tangent * tangent, difference = std::abs(m_function(mu) - series(mu));
+      if(!(difference <= most)) // not a number as well
+        most = difference;
     }
-    if(order % 2 == 1)
-      m_fractions.push_back({cut_off, sign / order, 0, 0, false});
+    return most;
+  }
+
+  // Series of one center are one.
+  Rational_filter sum_with(double own, const Rational_filter& other, double others) const
+  {
+    Rational_filter result;
+    result.m_constant = own * m_constant + others * other.m_constant;
+    result.m_error_bound = m_error_bound + other.m_error_bound;
+    for(const Chebyshev_series& s : m_series)
+      result.m_series.push_back(s.times(own));
+    for(const Chebyshev_series& s : other.m_series)
+      result.m_series.push_back(s.times(others));
+    return result;
   }
 };
 

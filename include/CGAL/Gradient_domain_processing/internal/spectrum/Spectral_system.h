@@ -30,14 +30,10 @@ namespace Gradient_domain_processing {
 namespace internal {
 
 // S and a lumped M of the vertices that are not constrained, and what filters signals by the eigenvalues of (S, M). One
-// factorization of M + S / c serves all fractions of the cut-off c: it solves those of first degree, and its square,
-// (M + S / c) M^-1 (M + S / c), is close to those of second degree, (z + 1)^2 to z^2 + 2 shift z + 1, so that conjugate
-// gradients need about twenty steps for eight digits, however large the mesh is.
+// factorization of M + S / c serves a series around c: t = (mu - c) / (mu + c) is 1 - 2 (M + S / c)^-1 M, and every
+// degree costs one solution.
 class Spectral_system
 {
-  static constexpr double tolerance = 1e-8; // of the error in the energy's norm, relative to the solution
-  static constexpr int most_steps = 500;
-
   Degrees_of_freedom m_dofs;
   Sparse_matrix m_stiffness; // stored as a whole
   Eigen::VectorXd m_masses;
@@ -59,21 +55,17 @@ public:
   Error_code assemble_matrices(const Indexed_triangles& mesh, const Triangle_metrics& metrics,
                                const std::vector<char>& is_constrained, Progress& progress);
 
-  // Filters a signal by degree of freedom.
+  // Filters a signal by degree of freedom. Where an iterative solver does not converge, Cholesky takes its place.
   Error_code apply(const Rational_filter& filter, Progress& progress, Eigen::MatrixXd& signal);
 
 private:
-  Error_code factorize(double cut_off, Progress& progress);
+  Error_code apply_as_it_is(const Rational_filter& filter, Progress& progress, Eigen::MatrixXd& signal);
 
-  // The matrix is symmetric: its columns are its rows.
-  Eigen::MatrixXd times_stiffness(const Eigen::MatrixXd& x) const;
+  Error_code factorize(double center, Progress& progress);
 
-  // (M + 2 shift S / c + S M^-1 S / c^2) x
-  Eigen::MatrixXd times_second_degree(const Rational_filter::Fraction& fraction, const Eigen::MatrixXd& x) const;
-
-  // Conjugate gradients on all channels side by side, each with its own steps.
-  Error_code solve_second_degree(const Rational_filter::Fraction& fraction, Progress& progress,
-                                 const Eigen::MatrixXd& right, Eigen::MatrixXd& x);
+  // By the recurrence of Chebyshev's polynomials.
+  Error_code add(const Chebyshev_series& series, Progress& progress, const Eigen::MatrixXd& signal,
+                 Eigen::MatrixXd& sum);
 };
 
 } // namespace internal

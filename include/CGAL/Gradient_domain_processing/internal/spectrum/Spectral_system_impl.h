@@ -17,22 +17,16 @@
 #include <CGAL/Gradient_domain_processing/internal/energy/prolongation.h>
 #include <CGAL/Gradient_domain_processing/internal/higher_order/bilaplacian.h>
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/ordering/elimination_order.h>
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/turn_to_cholesky.h>
+#include <CGAL/Gradient_domain_processing/internal/parallel/number_of_threads.h>
 #include <CGAL/Gradient_domain_processing/internal/separate_compilation.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
-
-// Channels that are done, or zero, stay as they are.
-CGAL_GDP_INLINE Eigen::RowVectorXd quotients(const Eigen::RowVectorXd& a, const Eigen::RowVectorXd& b)
-{
-  Eigen::RowVectorXd q(a.size());
-  for(Eigen::Index i = 0; i < a.size(); ++i)
-    q[i] = a[i] > 0 && b[i] > 0 ? a[i] / b[i] : 0;
-  return q;
-}
 
 CGAL_GDP_INLINE Error_code Spectral_system::assemble_matrices(const Indexed_triangles& mesh,
                                                               const Triangle_metrics& metrics,
@@ -48,6 +42,11 @@ CGAL_GDP_INLINE Error_code Spectral_system::assemble_matrices(const Indexed_tria
   std::vector<char> is_free(mesh.points.size());
   for(int v = 0; v < mesh.number_of_vertices(); ++v)
     is_free[v] = !is_constrained[v] && masses[std::size_t(v)] > 0 && v < mesh.first_virtual_vertex();
+  Solver_task task;
+  task.unknowns = std::size_t(std::count(is_free.begin(), is_free.end(), 1));
+  task.solutions_of_each = 50;
+  task.cores = number_of_threads(m_parallel);
+  m_solver->prepare(task);
   bool is_cancelled = false;
   m_dofs = elimination_order(mesh.points, has_virtual_vertices ? rings_of_polygons(rings, mesh) : rings, is_free,
                              m_parallel, [&] { return !(is_cancelled = !progress.go_on()); });
@@ -75,23 +74,22 @@ CGAL_GDP_INLINE Error_code Spectral_system::assemble_matrices(const Indexed_tria
 CGAL_GDP_INLINE Error_code Spectral_system::apply(const Rational_filter& filter, Progress& progress,
                                                   Eigen::MatrixXd& signal)
 {
-  const Eigen::MatrixXd weighted = m_masses.asDiagonal() * signal, slopes = times_stiffness(signal);
-  Eigen::MatrixXd sum = filter.constant() * signal, right, x;
-  double cut_off = 0; // of the factor
-  for(const Rational_filter::Fraction& fraction : filter.fractions())
+  const Error_code code = apply_as_it_is(filter, progress, signal);
+  if(code != error_not_converged || !turn_to_cholesky(m_dofs.size(), progress, m_solver))
+    return code;
+  return apply_as_it_is(filter, progress, signal);
+}
+
+CGAL_GDP_INLINE Error_code Spectral_system::apply_as_it_is(const Rational_filter& filter, Progress& progress,
+                                                           Eigen::MatrixXd& signal)
+{
+  Eigen::MatrixXd sum = filter.constant() * signal;
+  for(const Chebyshev_series& series : filter.series())
   {
-    if(fraction.cut_off != cut_off)
-      if(const Error_code code = factorize(fraction.cut_off, progress))
-        return code;
-    cut_off = fraction.cut_off;
-    Stage_scope stage(progress, Stage::SOLVE);
-    right = fraction.weight * weighted;
-    if(fraction.has_second_degree)
-      right -= fraction.weight * fraction.slope / cut_off * slopes;
-    if(const Error_code code = fraction.has_second_degree ? solve_second_degree(fraction, progress, right, x)
-                                                          : m_solver->solve(right, x, [&] { return progress.go_on(); }))
+    if(const Error_code code = factorize(series.center(), progress))
       return code;
-    sum += x;
+    if(const Error_code code = add(series, progress, signal, sum))
+      return code;
   }
   if(!sum.allFinite())
     return error_cannot_solve_linear_system;
@@ -99,84 +97,41 @@ CGAL_GDP_INLINE Error_code Spectral_system::apply(const Rational_filter& filter,
   return ok;
 }
 
-CGAL_GDP_INLINE Error_code Spectral_system::factorize(double cut_off, Progress& progress)
+CGAL_GDP_INLINE Error_code Spectral_system::factorize(double center, Progress& progress)
 {
   if(!progress.go_on())
     return error_cancelled;
   Stage_scope stage(progress, Stage::FACTOR);
   Sparse_matrix matrix;
-  if(m_solver->reads_lower_triangle)
+  if(m_solver->reads_lower_triangle())
     matrix = m_stiffness.triangularView<Eigen::Lower>();
   else
     matrix = m_stiffness;
-  matrix /= cut_off;
+  matrix /= center;
   for(int i = 0; i < m_dofs.size(); ++i)
     matrix.coeffRef(i, i) += m_masses[i];
   return m_solver->factorize(matrix, [&] { return progress.go_on(); });
 }
 
-CGAL_GDP_INLINE Eigen::MatrixXd Spectral_system::times_stiffness(const Eigen::MatrixXd& x) const
+CGAL_GDP_INLINE Error_code Spectral_system::add(const Chebyshev_series& series, Progress& progress,
+                                                const Eigen::MatrixXd& signal, Eigen::MatrixXd& sum)
 {
-  Eigen::MatrixXd y(x.rows(), x.cols());
-  for_each_block(m_parallel, std::size_t(m_dofs.size()), 4096, [&](std::size_t begin, std::size_t end) {
-    for(std::size_t i = begin; i < end; ++i)
-      for(Eigen::Index channel = 0; channel < x.cols(); ++channel)
-      {
-        double sum = 0;
-        for(Sparse_matrix::InnerIterator it(m_stiffness, Eigen::Index(i)); it; ++it)
-          sum += it.value() * x(it.row(), channel);
-        y(Eigen::Index(i), channel) = sum;
-      }
-  });
-  return y;
-}
-
-CGAL_GDP_INLINE Eigen::MatrixXd Spectral_system::times_second_degree(const Rational_filter::Fraction& fraction,
-                                                                     const Eigen::MatrixXd& x) const
-{
-  const double c = fraction.cut_off;
-  Eigen::MatrixXd slopes = times_stiffness(x);
-  Eigen::MatrixXd y = m_masses.asDiagonal() * x;
-  y += (2 * fraction.shift / c) * slopes;
-  slopes = m_masses.cwiseInverse().asDiagonal() * slopes;
-  y += times_stiffness(slopes) / (c * c);
-  return y;
-}
-
-CGAL_GDP_INLINE Error_code Spectral_system::solve_second_degree(const Rational_filter::Fraction& fraction,
-                                                                Progress& progress, const Eigen::MatrixXd& right,
-                                                                Eigen::MatrixXd& x)
-{
-  const auto go_on = [&] { return progress.go_on(); };
-  const auto products = [](const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) -> Eigen::RowVectorXd {
-    return a.cwiseProduct(b).colwise().sum();
-  };
-  x.setZero(right.rows(), right.cols());
-  Eigen::MatrixXd residual = right, z, direction;
-  Eigen::RowVectorXd first, last;
-  for(int step = 0; step < most_steps; ++step)
+  Stage_scope stage(progress, Stage::SOLVE);
+  Eigen::MatrixXd last, now = signal, next;
+  sum += series.coefficients()[0] * now;
+  for(int degree = 1; degree <= series.degree(); ++degree)
   {
-    if(const Error_code code = m_solver->solve(residual, z, go_on))
+    next = m_masses.asDiagonal() * now;
+    if(const Error_code code = m_solver->solve(next, next, [&] { return progress.go_on(); }))
       return code;
-    z = m_masses.asDiagonal() * z;
-    if(const Error_code code = m_solver->solve(z, z, go_on))
-      return code;
-    const Eigen::RowVectorXd now = products(residual, z);
-    if(step == 0)
-      first = now;
-    if((now.array() <= tolerance * tolerance * first.array()).all())
-      return ok;
-    if(step == 0)
-      direction = z;
-    else
-      direction = z + direction * quotients(now, last).asDiagonal();
-    last = now;
-    const Eigen::MatrixXd image = times_second_degree(fraction, direction);
-    const Eigen::RowVectorXd lengths = quotients(now, products(direction, image));
-    x += direction * lengths.asDiagonal();
-    residual -= image * lengths.asDiagonal();
+    next = now - 2 * next;
+    if(degree > 1)
+      next = 2 * next - last;
+    sum += series.coefficients()[std::size_t(degree)] * next;
+    last.swap(now);
+    now.swap(next);
   }
-  return error_not_converged;
+  return ok;
 }
 
 } // namespace internal

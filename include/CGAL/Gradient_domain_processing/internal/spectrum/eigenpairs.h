@@ -13,8 +13,9 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_SPECTRUM_EIGENPAIRS_H
 
 #include <CGAL/Gradient_domain_processing/Error_code.h>
+#include <CGAL/Gradient_domain_processing/internal/parallel/parallel_blocks.h>
 #include <CGAL/Gradient_domain_processing/internal/spectrum/Block_lanczos.h>
-#include <CGAL/Gradient_domain_processing/internal/linear_solver/Shifted_factor.h>
+#include <CGAL/Gradient_domain_processing/internal/spectrum/Spectrum_slice.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -22,7 +23,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
+#include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -30,96 +32,417 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// The lowest eigenpairs of A x = lambda B x, with symmetric A, bounded from below, and positive definite B, band by
-// band after Vallet and Levy 2008: those around a shift, then a shift farther up. The factor at every shift tells how
-// many eigenvalues are below it, and a band is done when it has them all: none of a multiple eigenvalue is missed.
-class Lowest_eigenpairs
+// The eigenpairs of A x = lambda B x nearest to a shift, with symmetric A, bounded from below, and positive definite B,
+// slice by slice after Vallet and Levy 2008: those around a shift, then shifts farther away on both sides, two at a
+// time on two threads. How many eigenvalues are between two shifts is known from their factors; what the two slices
+// find has to add up to it, and to agree where both know an eigenvalue: none of a multiple one is missed.
+class Nearest_eigenpairs
 {
-  static constexpr int band_size = 60;
-  static constexpr double tolerance = 1e-10;
+  static constexpr int slice_size = 60; // eigenvalues from shift to shift
+
+  struct Slice
+  {
+    Spectrum_slice spectrum;
+    int from_left = -1, from_right = -1; // what is taken of it; -1: not known yet
+    std::vector<double> values;
+    Eigen::MatrixXd vectors;
+
+    Slice(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& b) : spectrum(a, b) {}
+  };
+  typedef std::unique_ptr<Slice> Slice_handle;
 
   const Eigen::SparseMatrix<double>& m_a;
   const Eigen::SparseMatrix<double>& m_b;
-  Shifted_factor m_factor;
-  std::vector<double> m_values; // increasing
-  Eigen::MatrixXd m_vectors;    // as many columns, in the same order
+  const int m_size;
+  const bool m_parallel;
+  const double m_spacing;
+  double m_sigma = 0;
+  std::vector<Slice_handle> m_slices; // by shift
 
 public:
-  Lowest_eigenpairs(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& b) : m_a(a), m_b(b) {}
-
-  Error_code find(int count, Eigenpairs& result)
+  Nearest_eigenpairs(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& b, bool parallel)
+    : m_a(a)
+    , m_b(b)
+    , m_size(int(a.rows()))
+    , m_parallel(parallel)
+    , m_spacing(mean_spacing())
   {
-    const int n = int(m_a.rows());
-    count = (std::min)(count, n);
-    if(count == 0)
+  }
+
+  // The lowest are those nearest to a shift below all.
+  Error_code find_lowest(int count, Eigenpairs& result)
+  {
+    for(double sigma = -5 * m_spacing;; sigma *= 4)
     {
-      result.values.resize(0);
-      result.vectors.resize(n, 0);
-      return ok;
+      if(const Error_code code = begin_at(sigma))
+        return code;
+      if(m_slices[0]->spectrum.below() == 0)
+        return find(count, result);
+      if(!std::isfinite(4 * sigma))
+        return error_cannot_solve_linear_system;
     }
-    double sigma = 0;
-    int below = 0;
-    if(const Error_code code = first_shift(sigma, below))
+  }
+
+  Error_code find_nearest(double sigma, int count, Eigenpairs& result)
+  {
+    if(const Error_code code = begin_at(sigma))
       return code;
-    while(true)
-    {
-      const int missing = below - number_below(sigma);
-      if(missing < 0)
-        return error_not_converged;
-      if(missing == 0 && int(m_values.size()) >= count
-         && (sigma > m_values[std::size_t(count) - 1] || int(m_values.size()) == n))
-        break;
-      if(const Error_code code = find_band(sigma, missing, (std::max)(count + 1 - int(m_values.size()), missing)))
-        return code;
-      sigma = next_shift(count, sigma);
-      if(const Error_code code = factorize_near(sigma, below))
-        return code;
-    }
-    result.values = Eigen::Map<const Eigen::VectorXd>(m_values.data(), count);
-    result.vectors = m_vectors.leftCols(count);
-    return ok;
+    return find(count, result);
   }
 
 private:
-  int number_below(double sigma) const
+  Error_code begin_at(double sigma)
   {
-    return int(std::lower_bound(m_values.begin(), m_values.end(), sigma) - m_values.begin());
-  }
-
-  // If it is an eigenvalue, as far as rounding knows, one a little higher: the factor cannot tell on which side that
-  // is.
-  Error_code factorize_near(double& sigma, int& below)
-  {
-    Error_code code = ok;
-    for(int attempt = 0; attempt < 5; ++attempt)
-    {
-      const double unit = std::abs(sigma) + mean_spacing();
-      code = m_factor.factorize(m_a, m_b, sigma);
-      if(code == ok && distance_to_spectrum() > 1e-7 * unit)
-        break;
-      sigma += 1e-5 * unit;
-    }
-    below = code == ok ? m_factor.number_of_eigenvalues_below() : 0;
+    m_slices.clear();
+    m_slices.push_back(std::make_unique<Slice>(m_a, m_b));
+    const Error_code code = m_slices[0]->spectrum.factorize_near(sigma, m_spacing);
+    m_sigma = m_slices[0]->spectrum.sigma();
     return code;
   }
 
-  // Of the shift, about, by inverse iteration.
-  double distance_to_spectrum() const
+  Error_code find(int count, Eigenpairs& result)
   {
-    Eigen::MatrixXd x(m_a.rows(), 1);
-    for(Eigen::Index i = 0; i < x.rows(); ++i)
-      x(i, 0) = double(i * 37 % 101) - 50; // orthogonal to nothing
-    double distance = 0;
-    for(int iteration = 0; iteration < 2; ++iteration)
+    count = (std::min)(count, m_size);
+    Spectrum_slice& first = m_slices[0]->spectrum;
+    const int most = (std::min)(count + 2, slice_size);
+    first.find(first.above() > 0 ? most / 2 + 1 : most, first.below() > 0 ? most / 2 + 1 : most);
+    while(number_within_reach() < count)
+      if(const Error_code code = extend(count))
+        return code;
+    collect(count, result);
+    return ok;
+  }
+
+  bool has_bottom() const { return m_slices.front()->spectrum.below() == 0; }
+  bool has_top() const { return m_slices.back()->spectrum.above() == 0; }
+
+  // How far from the shift all eigenvalues are known, on either side.
+  double reach() const
+  {
+    const double infinity = std::numeric_limits<double>::infinity();
+    return (std::min)(has_bottom() ? infinity : m_sigma - m_slices.front()->spectrum.sigma(),
+                      has_top() ? infinity : m_slices.back()->spectrum.sigma() - m_sigma);
+  }
+
+  int number_within_reach() const
+  {
+    const double most = reach();
+    int count = 0;
+    for(const double value : values())
+      if(std::abs(value - m_sigma) <= most)
+        ++count;
+    return count;
+  }
+
+  // Of all slices, increasing.
+  std::vector<double> values() const
+  {
+    std::vector<double> all;
+    for(const Slice_handle& slice : m_slices)
+      if(!slice->values.empty())
+        all.insert(all.end(), slice->values.begin(), slice->values.end());
+      else
+      {
+        for(int i = slice->from_left; i > 0; --i)
+          all.push_back(slice->spectrum.on_left(i));
+        for(int i = 1; i <= slice->from_right; ++i)
+          all.push_back(slice->spectrum.on_right(i));
+      }
+    return all;
+  }
+
+  // Two slices more: one on both sides, where there is more on both.
+  Error_code extend(int count)
+  {
+    const int missing = count - number_within_reach();
+    std::vector<double> left, right;
+    if(!has_bottom())
+      left = next_shifts(m_slices.front()->spectrum, -1, missing, has_top() ? 2 : 1);
+    if(!has_top())
+      right = next_shifts(m_slices.back()->spectrum, 1, missing, has_bottom() ? 2 : 1);
+    std::vector<double> shifts(left.rbegin(), left.rend());
+    shifts.insert(shifts.end(), right.begin(), right.end());
+    std::vector<Slice_handle> added;
+    if(const Error_code code = factorize(shifts, added))
+      return code;
+    const int outer = (std::min)(missing, slice_size / 2); // to know how dense they are
+    std::vector<Slice*> fresh;
+    for(Slice_handle& slice : added)
     {
-      const Eigen::MatrixXd image = m_factor.solve(m_b * x);
-      const double norm = image.norm();
-      if(!(norm > 0) || !std::isfinite(norm))
-        return 0;
-      distance = x.norm() / norm;
-      x = image / norm;
+      fresh.push_back(slice.get());
+      const auto at = std::upper_bound(
+        m_slices.begin(), m_slices.end(), slice->spectrum.sigma(),
+        [](double sigma, const Slice_handle& other) { return sigma < other->spectrum.sigma(); });
+      m_slices.insert(at, std::move(slice));
     }
-    return distance;
+    if(const Error_code code = fill_gaps(fresh))
+      return code;
+    std::vector<std::pair<int, int> > wanted; // before any of them finds something
+    for(const Slice* slice : fresh)
+      wanted.push_back(wanted_at(*slice, outer));
+    for_each(fresh, [&](Slice& slice) {
+      const auto& of_slice = wanted[std::size_t(std::find(fresh.begin(), fresh.end(), &slice) - fresh.begin())];
+      slice.spectrum.find(of_slice.first, of_slice.second);
+    });
+    return join();
+  }
+
+  template <class Body>
+  void for_each(const std::vector<Slice*>& slices, const Body& body) const
+  {
+    const Ldlt::Thread_scope scope{}; // not on every thread
+    (void)scope;
+    for_each_block(m_parallel, slices.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t i = begin; i < end; ++i)
+        body(*slices[i]);
+    });
+  }
+
+  Error_code factorize(const std::vector<double>& shifts, std::vector<Slice_handle>& slices) const
+  {
+    std::vector<Slice*> list;
+    for(std::size_t i = 0; i < shifts.size(); ++i)
+    {
+      slices.push_back(std::make_unique<Slice>(m_a, m_b));
+      list.push_back(slices.back().get());
+    }
+    std::vector<Error_code> codes(shifts.size(), ok);
+    for_each(list, [&](Slice& slice) {
+      const std::size_t i = std::size_t(std::find(list.begin(), list.end(), &slice) - list.begin());
+      codes[i] = slice.spectrum.factorize_near(shifts[i], m_spacing);
+    });
+    for(const Error_code code : codes)
+      if(code != ok)
+        return code;
+    return ok;
+  }
+
+  // Where the density was estimated badly, one more in the middle.
+  Error_code fill_gaps(std::vector<Slice*>& fresh)
+  {
+    for(std::size_t i = 0; i + 1 < m_slices.size(); ++i)
+      while(m_slices[i]->from_right < 0 && number_between(i) > 2 * slice_size && is_wide(i))
+        if(const Error_code code = insert_after(i, fresh))
+          return code;
+    return ok;
+  }
+
+  int number_between(std::size_t i) const
+  {
+    return m_slices[i + 1]->spectrum.below() - m_slices[i]->spectrum.below();
+  }
+
+  bool is_wide(std::size_t i) const
+  {
+    const double a = m_slices[i]->spectrum.sigma(), b = m_slices[i + 1]->spectrum.sigma();
+    return b - a > 1e-4 * ((std::max)(std::abs(a), std::abs(b)) + m_spacing);
+  }
+
+  Error_code insert_after(std::size_t i, std::vector<Slice*>& fresh)
+  {
+    const double a = m_slices[i]->spectrum.sigma(), b = m_slices[i + 1]->spectrum.sigma();
+    std::vector<Slice_handle> added;
+    if(const Error_code code = factorize({a + 0.4871 * (b - a)}, added))
+      return code;
+    fresh.push_back(added[0].get());
+    m_slices.insert(m_slices.begin() + std::ptrdiff_t(i) + 1, std::move(added[0]));
+    return ok;
+  }
+
+  // How many a new slice has to find on its left and right: half of what is between it and another new one, the rest
+  // where the other is known already, and some that both know.
+  std::pair<int, int> wanted_at(const Slice& slice, int outer) const
+  {
+    std::size_t i = 0;
+    while(m_slices[i].get() != &slice)
+      ++i;
+    std::pair<int, int> wanted(i == 0 ? outer : 0, i + 1 == m_slices.size() ? outer : 0);
+    const auto share = [&](int between, int known) {
+      const int rest = known > 0 ? between - known : between / 2;
+      return (std::min)(between + 1, (std::max)(rest, 0) + 3);
+    };
+    if(i > 0)
+      wanted.first = share(number_between(i - 1), m_slices[i - 1]->spectrum.number_on_right());
+    if(i + 1 < m_slices.size())
+      wanted.second = share(number_between(i), m_slices[i + 1]->spectrum.number_on_left());
+    return wanted;
+  }
+
+  // Decides what is taken from which slice.
+  Error_code join()
+  {
+    for(std::size_t i = 0; i + 1 < m_slices.size();)
+    {
+      if(m_slices[i]->from_right >= 0)
+      {
+        ++i;
+        continue;
+      }
+      Spectrum_slice &left = m_slices[i]->spectrum, &right = m_slices[i + 1]->spectrum;
+      const int number = number_between(i), split = split_between(left, right);
+      if(split >= 0)
+      {
+        m_slices[i]->from_right = split;
+        m_slices[i + 1]->from_left = number - split;
+        ++i;
+      }
+      else if(number < 0)
+        return error_not_converged;
+      else if(left.can_grow() || right.can_grow())
+        for_each({m_slices[i].get(), m_slices[i + 1].get()}, [&](Slice& slice) {
+          const bool is_left = &slice == m_slices[i].get();
+          slice.spectrum.find(is_left ? slice.spectrum.number_on_left() : slice.spectrum.number_on_left() + 8,
+                              is_left ? slice.spectrum.number_on_right() + 8 : slice.spectrum.number_on_right());
+        });
+      else
+      {
+        std::vector<Slice*> fresh;
+        if(!is_wide(i))
+          return error_not_converged;
+        if(const Error_code code = insert_after(i, fresh))
+          return code;
+        const std::pair<int, int> wanted = wanted_at(*fresh[0], 0);
+        fresh[0]->spectrum.find(wanted.first, wanted.second);
+      }
+    }
+    take_what_is_done();
+    return ok;
+  }
+
+  // How many of those between two shifts are taken from the left one: up to the widest gap where both agree. -1: cannot
+  // be said yet.
+  int split_between(const Spectrum_slice& left, const Spectrum_slice& right) const
+  {
+    const int number = right.below() - left.below();
+    const int known_left = left.number_on_right(), known_right = right.number_on_left();
+    const double width = right.sigma() - left.sigma();
+    // the k-th between the two, as either knows it
+    const auto of_left = [&](int k) { return k <= known_left ? left.on_right(k) : HUGE_VAL; };
+    const auto of_right = [&](int k) {
+      const int from_right = number - k + 1;
+      return from_right <= known_right ? right.on_left(from_right) : -HUGE_VAL;
+    };
+    if(number == 0)
+      return 0;
+    int best = -1;
+    double widest = 1e-7 * ((std::max)(std::abs(left.sigma()), std::abs(right.sigma())) + m_spacing);
+    for(int k = (std::max)(0, number - known_right); k <= (std::min)(number, known_left); ++k)
+    {
+      const double low = k > 0 ? of_left(k) : left.sigma(), high = k < number ? of_right(k + 1) : right.sigma();
+      bool agrees = (k == number && (known_left > number ? of_left(number + 1) > right.sigma()
+                                                         : known_left == left.above()))
+                 || (k == 0 && (known_right > number ? of_right(0) < left.sigma() : known_right == right.below()));
+      bool differs = false;
+      for(int other : {k, k + 1})
+        if(other >= 1 && other <= number && std::isfinite(of_left(other)) && std::isfinite(of_right(other)))
+        {
+          const bool is_same = std::abs(of_left(other) - of_right(other)) <= 1e-6 * width;
+          agrees = agrees || is_same;
+          differs = differs || !is_same;
+        }
+      if(agrees && !differs && low > left.sigma() - 1e-9 * width && high - low > widest)
+      {
+        widest = high - low;
+        best = k;
+      }
+    }
+    return best;
+  }
+
+  // Factors and bases of inner slices are no longer needed.
+  void take_what_is_done()
+  {
+    std::vector<Slice*> done;
+    for(const Slice_handle& slice : m_slices)
+    {
+      if(&slice == &m_slices.front() && has_bottom())
+        slice->from_left = 0;
+      if(&slice == &m_slices.back() && has_top())
+        slice->from_right = 0;
+      if(slice->from_left >= 0 && slice->from_right >= 0 && slice->vectors.size() == 0)
+        done.push_back(slice.get());
+    }
+    for_each(done, [](Slice& slice) {
+      slice.spectrum.take(slice.from_left, slice.from_right, slice.values, slice.vectors);
+      slice.spectrum.release();
+    });
+  }
+
+  // The outer slices give what they have inside of their shifts.
+  void collect(int count, Eigenpairs& result)
+  {
+    for(const Slice_handle& slice : m_slices)
+    {
+      slice->from_left = (std::max)(0, slice->from_left);
+      slice->from_right = (std::max)(0, slice->from_right);
+    }
+    take_what_is_done();
+    std::vector<double> all = values();
+    std::size_t first = 0;
+    while(first + std::size_t(count) < all.size()
+          && all[first + std::size_t(count)] - m_sigma < m_sigma - all[first])
+      ++first;
+    result.values = Eigen::Map<const Eigen::VectorXd>(all.data() + first, count);
+    result.vectors.resize(m_size, count);
+    int at = -int(first), begin_of_last = 0;
+    for(const Slice_handle& slice : m_slices)
+    {
+      const int size = int(slice->vectors.cols());
+      const int begin = (std::max)(0, at), end = (std::min)(count, at + size);
+      if(begin < end)
+      {
+        result.vectors.middleCols(begin, end - begin) = slice->vectors.middleCols(begin - at, end - begin);
+        make_orthogonal(begin_of_last, begin, end, result.vectors);
+        begin_of_last = begin;
+      }
+      slice->vectors.resize(0, 0);
+      at += size;
+    }
+  }
+
+  // Those of two slices are orthogonal up to their residuals only.
+  void make_orthogonal(int first, int begin, int end, Eigen::MatrixXd& vectors) const
+  {
+    Eigen::MatrixXd own = vectors.middleCols(begin, end - begin);
+    const auto others = vectors.middleCols(first, begin - first);
+    if(begin > first)
+      own -= others * (others.transpose() * (m_b * own));
+    const Eigen::MatrixXd image = m_b * own;
+    for(Eigen::Index j = 0; j < own.cols(); ++j)
+      own.col(j) /= std::sqrt(own.col(j).dot(image.col(j)));
+    vectors.middleCols(begin, end - begin) = own;
+  }
+
+  // Where the next slices go, away from one on the given side: into the widest gap above what is missing, to see
+  // whether there is any more; or half a slice beyond what is known, and a slice from there.
+  std::vector<double> next_shifts(const Spectrum_slice& slice, int side, int missing, int number) const
+  {
+    std::vector<double> known(1, 0.); // distances
+    for(int i = 1; i <= (side > 0 ? slice.number_on_right() : slice.number_on_left()); ++i)
+      known.push_back(side * ((side > 0 ? slice.on_right(i) : slice.on_left(i)) - slice.sigma()));
+    const int size = int(known.size()) - 1;
+    if(size == (side > 0 ? slice.above() : slice.below()))
+      return {slice.sigma() + side * (known.back() + (std::max)(1e-6 * std::abs(slice.sigma()), m_spacing))};
+    if(size > missing)
+    {
+      const auto gap = [&](int i) { return known[std::size_t(i)] - known[std::size_t(i) - 1]; };
+      int widest = missing + 1;
+      for(int i = widest; i <= size; ++i)
+        if(gap(i) > gap(widest))
+          widest = i;
+      if(gap(widest) > 1e-6 * (std::abs(slice.sigma()) + known.back()))
+        return {slice.sigma() + side * (known[std::size_t(widest)] + known[std::size_t(widest) - 1]) / 2};
+    }
+    const int back = (std::min)(slice_size / 2, size);
+    const double span = back > 0 ? known.back() - known[std::size_t(size - back)] : 0;
+    // no simple number: not onto an eigenvalue of a regular mesh
+    const double step = 0.9371 * (span > 0 ? span / back : m_spacing);
+    const int near_by = (std::max)(2, (std::min)(missing - size + 2, slice_size / 2));
+    std::vector<double> shifts(1, slice.sigma() + side * (known.back() + near_by * step));
+    const int rest = (std::min)(missing - size - near_by + 2, slice_size);
+    if(number > 1 && rest > 2)
+      shifts.push_back(shifts[0] + side * rest * step);
+    return shifts;
   }
 
   // Roughly, by Weyl's law: the mean of all eigenvalues, over their number.
@@ -133,147 +456,22 @@ private:
     }
     return a > 0 && b > 0 ? a / b / double(m_a.rows()) : 1;
   }
-
-  // Below all eigenvalues.
-  Error_code first_shift(double& sigma, int& below)
-  {
-    for(sigma = -5 * mean_spacing();; sigma *= 4)
-    {
-      if(const Error_code code = m_factor.factorize(m_a, m_b, sigma))
-        return code;
-      below = m_factor.number_of_eigenvalues_below();
-      if(below == 0)
-        return ok;
-      if(!std::isfinite(4 * sigma))
-        return error_cannot_solve_linear_system;
-    }
-  }
-
-  // Half a band above the last, or, when there are enough, into the widest gap above the last of these, if there is
-  // one, to see whether any is missing.
-  double next_shift(int count, double last_shift) const
-  {
-    const int size = int(m_values.size());
-    if(size > count || size == int(m_a.rows()))
-    {
-      int at = (std::min)(count, size - 1);
-      for(int i = at; i < size; ++i)
-        if(gap_below(i) > gap_below(at))
-          at = i;
-      if(size == int(m_a.rows()))
-        return m_values.back() + (std::max)(1e-6 * std::abs(m_values.back()), mean_spacing());
-      if(gap_below(at) > 1e-6 * (std::abs(m_values[std::size_t(at)]) + mean_spacing()))
-        return m_values[std::size_t(at)] - gap_below(at) / 2;
-    }
-    const int back = (std::min)(band_size / 2, size - 1);
-    const double span = m_values.back() - m_values[std::size_t(size - 1 - back)];
-    // no simple number: not onto an eigenvalue of a regular mesh
-    const double step = 0.9371 * (span > 0 ? span : mean_spacing());
-    return (std::max)(m_values.back(), last_shift) + step;
-  }
-
-  double gap_below(int i) const { return i > 0 ? m_values[std::size_t(i)] - m_values[std::size_t(i) - 1] : 0; }
-
-  // Two bands of what is known are kept out of the next; they begin at a wide gap, so that it is clear which those are.
-  int first_to_deflate() const
-  {
-    const int size = int(m_values.size());
-    int first = (std::max)(0, size - 2 * band_size);
-    for(int i = first; first > 0 && i > size - 3 * band_size && i > 0; --i)
-      if(gap_below(i) > gap_below(first))
-        first = i;
-    return first;
-  }
-
-  // Finds so many that are missing below the shift, and some above, a band in all or as many as are wanted.
-  Error_code find_band(double sigma, int missing, int wanted)
-  {
-    const int first_known = first_to_deflate();
-    const double low = first_known > 0 ? m_values[std::size_t(first_known)] - gap_below(first_known) / 2 : -HUGE_VAL;
-    const Eigen::MatrixXd known = m_vectors.rightCols(m_vectors.cols() - first_known);
-    Block_lanczos lanczos(m_b, m_factor, known, sigma, tolerance);
-    wanted = (std::min)(wanted, (std::max)(band_size, missing));
-    wanted = (std::min)(wanted, int(m_a.rows()) - int(m_values.size()));
-    const int largest_basis = 10 * wanted + 200;
-    while(true)
-    {
-      const bool can_grow = lanczos.can_grow() && lanczos.size() < largest_basis;
-      if(can_grow)
-        lanczos.grow();
-      // to look costs as much as to grow
-      if(can_grow && (lanczos.size() < wanted || lanczos.size() % 16 != 0) && lanczos.can_grow())
-        continue;
-      const Block_lanczos::Ritz_pairs pairs = lanczos.ritz_pairs();
-      const std::vector<int> found = complete(pairs, sigma, low, missing);
-      if(int(found.size()) >= wanted)
-      {
-        add(lanczos, pairs, found);
-        return ok;
-      }
-      if(!can_grow)
-        return error_not_converged;
-    }
-  }
-
-  // Those of the Ritz pairs that have converged and leave none out: all below the shift, if there are as many as are
-  // missing; above, up to the first that has not.
-  static std::vector<int> complete(const Block_lanczos::Ritz_pairs& pairs, double sigma, double low, int missing)
-  {
-    std::vector<int> below, found;
-    bool goes_on = true;
-    for(int i = 0; i < int(pairs.values.size()); ++i)
-    {
-      const double value = pairs.values[std::size_t(i)];
-      const bool has_converged = pairs.has_converged[std::size_t(i)];
-      if(value < sigma)
-      {
-        if(has_converged && value > low && int(below.size()) < missing)
-          below.push_back(i);
-      }
-      else if(goes_on && has_converged)
-        found.push_back(i);
-      else
-        goes_on = false;
-    }
-    if(int(below.size()) < missing)
-      return {};
-    found.insert(found.end(), below.begin(), below.end());
-    return found;
-  }
-
-  void add(const Block_lanczos& lanczos, const Block_lanczos::Ritz_pairs& pairs, const std::vector<int>& found)
-  {
-    Eigen::MatrixXd coefficients(pairs.coefficients.rows(), Eigen::Index(found.size()));
-    for(std::size_t k = 0; k < found.size(); ++k)
-      coefficients.col(Eigen::Index(k)) = pairs.coefficients.col(found[k]);
-    const Eigen::MatrixXd vectors = lanczos.vectors(coefficients);
-
-    std::vector<std::pair<double, int> > order;
-    for(std::size_t k = 0; k < m_values.size(); ++k)
-      order.emplace_back(m_values[k], int(k));
-    for(std::size_t k = 0; k < found.size(); ++k)
-      order.emplace_back(pairs.values[std::size_t(found[k])], int(m_values.size() + k));
-    std::sort(order.begin(), order.end());
-    Eigen::MatrixXd merged(m_a.rows(), Eigen::Index(order.size()));
-    std::vector<double> values;
-    for(std::size_t k = 0; k < order.size(); ++k)
-    {
-      const int from = order[k].second;
-      values.push_back(order[k].first);
-      if(from < int(m_values.size()))
-        merged.col(Eigen::Index(k)) = m_vectors.col(from);
-      else
-        merged.col(Eigen::Index(k)) = vectors.col(from - int(m_values.size()));
-    }
-    m_values.swap(values);
-    m_vectors.swap(merged);
-  }
 };
 
 inline Error_code lowest_eigenpairs(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& b,
-                                    int count, Eigenpairs& result)
+                                    int count, Eigenpairs& result, bool parallel = true)
 {
-  return Lowest_eigenpairs(a, b).find(count, result);
+  result.values.resize(0);
+  result.vectors.resize(a.rows(), 0);
+  return count > 0 && a.rows() > 0 ? Nearest_eigenpairs(a, b, parallel).find_lowest(count, result) : ok;
+}
+
+inline Error_code nearest_eigenpairs(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& b,
+                                     double shift, int count, Eigenpairs& result, bool parallel = true)
+{
+  result.values.resize(0);
+  result.vectors.resize(a.rows(), 0);
+  return count > 0 && a.rows() > 0 ? Nearest_eigenpairs(a, b, parallel).find_nearest(shift, count, result) : ok;
 }
 
 } // namespace internal
