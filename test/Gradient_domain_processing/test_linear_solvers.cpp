@@ -10,11 +10,8 @@
 #include "test_meshes.h"
 #include "test_utils.h"
 
-<<<<<<< Updated upstream
 #include <CGAL/Gradient_domain_processing/Automatic_sparse_linear_solver.h>
-=======
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/time_estimate.h>
->>>>>>> Stashed changes
 #include <CGAL/Gradient_domain_processing/process_face_signal.h>
 #include <CGAL/Gradient_domain_processing/process_signal.h>
 
