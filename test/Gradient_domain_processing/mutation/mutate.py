@@ -15,6 +15,9 @@ The scratch folder keeps what is known, and the headers as they were: called aga
 about the survivors. Where headers changed too, take a new one. All compiles in about an hour of one processor. Needs g++, prlimit, the
 libraries of the tests, and 2 GB of memory. The test that needs the command line is not asked. Out-of-bounds indices of containers are
 found by the standard library's assertions, as the sanitizers find them in continuous integration.
+
+Known so far, from a pass that was not finished (35 of 45 tests built; those above 7 s, and those sharpened last, not asked about all):
+of the first 250 of seed 1, on which tests were sharpened, 198 are killed; of the next 150, at least 103.
 """
 
 import argparse
