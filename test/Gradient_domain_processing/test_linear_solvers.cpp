@@ -11,6 +11,7 @@
 #include "test_utils.h"
 
 #include <CGAL/Gradient_domain_processing/Automatic_sparse_linear_solver.h>
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/time_estimate.h>
 #include <CGAL/Gradient_domain_processing/process_face_signal.h>
 #include <CGAL/Gradient_domain_processing/process_signal.h>
 
@@ -200,8 +201,28 @@ void check_settings()
 
 } // namespace
 
+// A choice of a solver that is fast: small systems, and those in the metric of the embedding.
+void check_choice()
+{
+  using namespace GDP::internal;
+  Solver_task task;
+  task.unknowns = 999;
+  task.gradient_weight = 1;
+  GDP_CHECK_NEAR(multigrid_iterations(task), 21, 1e-9);
+  task.has_metric = true;
+  GDP_CHECK_NEAR(multigrid_iterations(task), 31.5, 1e-9);
+  GDP_CHECK(!multigrid_pays(task, 1e12));
+  task.unknowns = 2000000;
+  GDP_CHECK(multigrid_pays(task, 1e12));
+  task.matrices = 0; // it is factorized already, if at all
+  GDP_CHECK(cholesky_time(task) > 0 && multigrid_time(task) == 0);
+  task.unknowns = 10000;
+  GDP_CHECK(multigrid_pays(task, 1)); // where nothing else fits
+}
+
 int main()
 {
+  check_choice();
 #ifdef CGAL_GRADIENT_DOMAIN_PROCESSING_USE_CHOLMOD
   check_settings();
 #endif

@@ -260,6 +260,23 @@ void test_equivariance()
   }
 }
 
+// Between, at and beyond the cut-offs, named in any order.
+void test_transfer_functions()
+{
+  const double low = Filter::eigenvalue(2), high = Filter::eigenvalue(0.5); // a factor of 16
+  GDP_CHECK_NEAR(low, pi * pi, 1e-12);
+  for(bool is_reversed : {false, true})
+  {
+    const Filter pass = is_reversed ? Filter::band_pass(2, 0.5, 6) : Filter::band_pass(0.5, 2, 6);
+    const Filter stop = is_reversed ? Filter::band_stop(2, 0.5, 6) : Filter::band_stop(0.5, 2, 6);
+    for(double mu : {0., low / 4, low, 4 * low, high, 4 * high})
+    {
+      GDP_CHECK_NEAR(pass(mu), mu == 4 * low ? 1 : mu == low || mu == high ? 0.5 : 0, 1e-3);
+      GDP_CHECK_NEAR(stop(mu), 1 - pass(mu), 1e-12);
+    }
+  }
+}
+
 // The two eigenvalues of degree three that are nearest to a shift, in units of the mesh.
 void test_shift()
 {
@@ -440,5 +457,6 @@ int main()
   test_curvature_direction();
   test_spectra_of_matrices();
   test_refusals();
+  test_transfer_functions();
   return GDP_TEST_RESULT();
 }

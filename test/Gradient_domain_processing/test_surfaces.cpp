@@ -232,6 +232,29 @@ void test_random_polygons()
   GDP_CHECK(most_corners >= 5);
 }
 
+// A weight by vertex holds inside of polygons too: one that is constant but for a trifle is as good as the constant.
+void test_weights_of_polygons()
+{
+  Random random(9);
+  const Shape shape = jittered_square(8);
+  const Polygons polygons = random_polygons(shape, random);
+  const Points points = points_of(shape);
+  std::vector<double> in, alpha(points.size(), 3.), by_map(points.size()), by_constant(points.size());
+  for(std::size_t v = 0; v < points.size(); ++v)
+    in.push_back(random());
+  alpha[5] += 1e-9;
+  const auto signal = CGAL::make_property_map(in);
+  GDP_CHECK(GDP::process_signal(points, polygons, signal, CGAL::make_property_map(by_map),
+    GDP::parameters::vertex_value_weight_map(CGAL::make_property_map(alpha)).gradient_weight(0.1)) == GDP::ok);
+  GDP_CHECK(GDP::process_signal(points, polygons, signal, CGAL::make_property_map(by_constant),
+    GDP::parameters::value_weight(3.).gradient_weight(0.1)) == GDP::ok);
+  for(std::size_t v = 0; v < points.size(); ++v)
+  {
+    GDP_CHECK_NEAR(by_map[v], by_constant[v], 1e-8);
+    GDP_CHECK(std::abs(by_map[v] - in[v]) > 1e-6);
+  }
+}
+
 // ---- matrices
 
 // Three sheets of triangles that meet in a line, here straight; or in a circle, of n points.
@@ -517,6 +540,7 @@ int main()
   test_missing_values();
   test_random_soups();
   test_random_polygons();
+  test_weights_of_polygons();
   test_matrices();
   test_face_signals();
   test_lines();

@@ -2,18 +2,22 @@
 """Do the tests notice when the headers are wrong? Each mutant is the package with one operator, constant, condition or statement
 changed; some test shall fail on it.
 
-  mutate.py --scratch FOLDER [--hold 600] [--seed 1] [--first 0] [--number 250] [HEADER_OR_FOLDER...]
+  mutate.py --scratch FOLDER [--hold 700] [--seed 1] [--first 0] [--number 250] [HEADER_OR_FOLDER...]
 
 One build holds all mutants of a sample (mutants.h), of which the environment chooses one when a test runs. A test that passes without
-tells which mutants it reaches, and is asked about these only: the cheapest tests first, until one fails, crashes or takes longer than
-10 s and ten times its usual time. A mutant that no test reaches is alive. The sample is the beginning of a random order of all
-changes there are in the headers (default: all of include/); a change that does not compile there, in a constant expression say, is passed
-over and counted. Of the mutants that are held, --number are judged from --first on: so a build serves to sharpen the tests on one
-sample and to judge them by another, which is fresh.
+tells which mutants it reaches, and is asked about these only: the cheapest tests first, until one fails, crashes or takes more than 3 s
+and five times the time of the processor that it usually takes. A mutant that no test reaches is alive. The sample is the beginning of a
+random order of all changes there are in the headers (default: all of include/); a change that does not compile there, in a constant
+expression say, is passed over and counted. Of the mutants that are held, --number are judged from --first on: so a build serves to
+sharpen the tests on one sample and to judge them by another, which is fresh. --no-judge and --no-build let both go on side by side.
 
 The scratch folder keeps what is known, and the headers as they were: called again, only tests that changed are compiled, and asked
-about the survivors. Where headers changed too, take a new one. The parts of internal/compiled/ and the tests need about an hour of one processor, and g++, the
-libraries of the tests, and 2 GB of memory. The tests that need the command line are not asked.
+about the survivors. Where headers changed too, take a new one. All compiles in about an hour of one processor. Needs g++, prlimit, the
+libraries of the tests, and 2 GB of memory. The test that needs the command line is not asked. Out-of-bounds indices of containers are
+found by the standard library's assertions, as the sanitizers find them in continuous integration.
+
+Known so far, from a pass that was not finished (35 of 45 tests built; those above 7 s, and those sharpened last, not asked about all):
+of the first 250 of seed 1, on which tests were sharpened, 198 are killed; of the next 150, at least 103.
 """
 
 import argparse
@@ -321,11 +325,8 @@ class Workshop:
 
     def passes(self, test, environment, seconds):
         """Time is that of the processor, for the machine may do other things; what waits for ever is killed after a while."""
-        def limit():
-            resource.setrlimit(resource.RLIMIT_AS, (8 << 30, 8 << 30))  # loops without an end may allocate
-            resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-            resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
-        process = subprocess.Popen([self.folder / test], cwd=self.test, preexec_fn=limit, stdout=subprocess.DEVNULL,
+        limits = [f"--as={8 << 30}", "--core=0", f"--cpu={seconds}"]  # loops without an end may allocate
+        process = subprocess.Popen(["prlimit", *limits, self.folder / test], cwd=self.test, stdout=subprocess.DEVNULL,
                                    stderr=subprocess.PIPE, env={**os.environ, **environment})
         timer = threading.Timer(100 + 20 * seconds, process.kill)
         timer.start()
@@ -337,9 +338,9 @@ class Workshop:
         finally:
             timer.cancel()
 
-    def judge(self, mutants):
+    def judge(self, mutants, tests, most_seconds):
         killed, asked, seconds = self.verdicts["killed"], self.verdicts["asked"], self.state["seconds"]
-        for test in sorted(seconds, key=seconds.get):
+        for test in sorted((t for t in tests or seconds if seconds[t] <= most_seconds), key=seconds.get):
             key = f"{test} {self.state['objects'][test]}"
             reached = set(self.state["reached"][test])
             todo = [i for i in mutants if i in reached and str(i) not in killed and key not in asked.get(str(i), [])]
@@ -393,6 +394,7 @@ def main():
     parser.add_argument("--first", type=int, default=0, help="pass over so many of those that can be made")
     parser.add_argument("--number", type=int, default=250, help="judge so many; 0: all that are held")
     parser.add_argument("--tests", nargs="+", help="ask these only")
+    parser.add_argument("--most", type=float, default=1e9, help="do not ask tests that take more seconds")
     parser.add_argument("--no-build", dest="build", action="store_false", help="judge by what is built")
     parser.add_argument("--no-judge", dest="judge", action="store_false", help="only build")
     parser.add_argument("--compiler", default="g++")
@@ -407,7 +409,7 @@ def main():
         for test in arguments.tests or sorted({p.stem for p in TESTS.glob("test_*.cpp")} - NEVER):
             workshop.build(test, f"{test}.cpp" not in header_only)
     if arguments.judge:
-        workshop.judge(workshop.sample(arguments))
+        workshop.judge(workshop.sample(arguments), arguments.tests, arguments.most)
         report(workshop, workshop.sample(arguments))
 
 
