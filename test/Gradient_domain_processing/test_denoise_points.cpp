@@ -651,7 +651,10 @@ void knows_smooth_surfaces()
   GDP_CHECK(variation(0.19, 0.3).is_of_smooth_surface(variation(0.19, 0.29)));  // and facets
   GDP_CHECK(!variation(0.17, 0.3).is_of_smooth_surface(variation(0.19, 0.31)) // goes on
             && !variation(0.17, 0.3).is_of_smooth_surface(variation(0.17, 0.34)));
-  GDP_CHECK(!variation(0.065, 0.3).is_of_smooth_surface(variation(0.065, 0.31))); // flat pieces
+  GDP_CHECK(!variation(0.065, 0.3).is_of_smooth_surface(variation(0.07, 0.31))); // flat pieces, flatter than before
+  GDP_CHECK(variation(0.065, 0.3).is_of_smooth_surface(variation(0.065, 0.3)));  // folds that stay
+  GDP_CHECK(!variation(0.065, 0.3).is_of_smooth_surface(variation(0.065, 0.29)));
+  GDP_CHECK(!variation(0.065, 0.61).is_of_smooth_surface(variation(0.065, 0.61)));
   GDP_CHECK(variation(0.067, 0.3).is_of_smooth_surface(variation(0.067, 0.31)));
 }
 

@@ -128,7 +128,7 @@ inline const char* get_error_message(int code)
     case error_invalid_parameter: return "A parameter is out of its range";
     case error_invalid_region: return "A face or vertex of the region is none of the mesh";
     case error_invalid_index: return "A vertex index is out of range";
-    case error_unconstrained: return "The value weight is zero on a component without a constrained vertex";
+    case error_unconstrained: return "The value weight is zero on a component with too few constrained vertices";
     case error_no_volume: return "The volume of an open, unoriented, constrained or collapsed mesh cannot be restored";
     case error_cannot_solve_linear_system: return "The linear system cannot be solved";
     case error_not_converged: return "The iterative linear solver did not converge";

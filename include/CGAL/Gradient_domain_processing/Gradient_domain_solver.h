@@ -106,7 +106,7 @@ public:
    *     \cgalParamDefault{none}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{hessian_weight}
-   *     \cgalParamDescription{\f$ \gamma \f$, the weight of second derivatives: \f$ \gamma \|\nabla \nabla g\|^2 \f$ joins the energy. A length to the fourth, in the unit that the square of `gradient_weight` has. With `gradient_weight(0)` it smooths without pulling borders in, and keeps slopes; the matrix has two to three times as many entries. Where `value_weight` is 0, three vertices of a component have to be constrained.}
+   *     \cgalParamDescription{\f$ \gamma \f$, the weight of second derivatives: \f$ \gamma \|\nabla \nabla g\|^2 \f$ joins the energy. A length to the fourth, in the unit that the square of `gradient_weight` has. With `gradient_weight(0)` it smooths without pulling borders in, and keeps slopes; the matrix has two to three times as many entries. Where `value_weight` and `gradient_weight` are 0, three vertices of every component have to be constrained: four for `Hessian_kind::TRACE_FREE_HESSIAN`, one for `BILAPLACIAN`; where `value_weight` alone is 0, one.}
    *     \cgalParamType{`double`}
    *     \cgalParamDefault{`0`}
    *   \cgalParamNEnd

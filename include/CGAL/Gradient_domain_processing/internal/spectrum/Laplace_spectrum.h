@@ -23,6 +23,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -38,18 +39,34 @@ struct Eigenpair_request
   bool parallel = true;
 };
 
+inline bool are_finite_and_square(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& b)
+{
+  for(const Eigen::SparseMatrix<double>* m : {&a, &b})
+    for(int j = 0; j < m->outerSize(); ++j)
+      for(Eigen::SparseMatrix<double>::InnerIterator it(*m, j); it; ++it)
+        if(!std::isfinite(it.value()))
+          return false;
+  return a.rows() == a.cols() && b.rows() == b.cols() && a.rows() == b.rows();
+}
+
 // Eigenpairs of the rows and columns of some degrees of freedom, in their order; the rows of others are zero.
 inline Error_code restricted_spectrum(const Eigen::SparseMatrix<double>& matrix,
                                       const Eigen::SparseMatrix<double>& mass, const Degrees_of_freedom& dofs,
                                       const Eigenpair_request& request, Eigenpairs& result)
 {
-  if(request.count < 0 || request.count > dofs.size() || !std::isfinite(request.shift) || matrix.rows() != mass.rows())
+  if(request.count < 0 || request.count > dofs.size() || !std::isfinite(request.shift)
+     || !are_finite_and_square(matrix, mass))
     return error_invalid_parameter;
   const Eigen::SparseMatrix<double> a = restricted(matrix, dofs), b = restricted(mass, dofs);
   Eigenpairs of_free;
-  if(const Error_code code = request.is_lowest
-                               ? lowest_eigenpairs(a, b, request.count, of_free, request.parallel)
-                               : nearest_eigenpairs(a, b, request.shift, request.count, of_free, request.parallel))
+  Error_code code = ok;
+  try
+  {
+    code = request.is_lowest ? lowest_eigenpairs(a, b, request.count, of_free, request.parallel)
+                             : nearest_eigenpairs(a, b, request.shift, request.count, of_free, request.parallel);
+  }
+  catch(const std::bad_alloc&) { code = error_cannot_solve_linear_system; }
+  if(code != ok)
     return code;
   result.values = of_free.values;
   result.vectors.setZero(matrix.rows(), request.count);
@@ -58,14 +75,18 @@ inline Error_code restricted_spectrum(const Eigen::SparseMatrix<double>& matrix,
   return ok;
 }
 
-// The numbers of vertices that are not constrained, in an order of elimination.
-inline Degrees_of_freedom free_numbers(const Matrix_input& input, const std::vector<char>& is_constrained)
+// The numbers of vertices that are not constrained and have a mass, in an order of elimination.
+inline Degrees_of_freedom free_numbers(const Matrix_input& input, const std::vector<char>& is_constrained,
+                                       const Eigen::SparseMatrix<double>& mass)
 {
   const Indexed_triangles& mesh = input.mesh;
   std::vector<char> is_free(mesh.points.size(), 0);
   for(int v = 0; v < mesh.first_virtual_vertex(); ++v)
+  {
+    const int index = input.vertex_index[std::size_t(v)];
     is_free[std::size_t(v)] =
-      mesh.corners.size(v) > 0 && !is_constrained[std::size_t(input.vertex_index[std::size_t(v)])];
+      mesh.corners.size(v) > 0 && !is_constrained[std::size_t(index)] && mass.coeff(index, index) > 0;
+  }
   const Lists rings = mesh.one_rings(input.parallel);
   std::vector<int> order =
     elimination_order(mesh.points, mesh.virtual_vertices.size() > 0 ? rings_of_polygons(rings, mesh) : rings, is_free,
@@ -81,7 +102,6 @@ inline Degrees_of_freedom free_numbers(const Matrix_input& input, const std::vec
 inline Error_code laplace_spectrum(Matrix_input& input, const std::vector<char>& is_constrained,
                                    bool has_embedding_measure, const Eigenpair_request& request, Eigenpairs& result)
 {
-  const Degrees_of_freedom free_dofs = free_numbers(input, is_constrained);
   const Degrees_of_freedom all = numbered_by_index(input);
   Energy_weights of_values, of_gradients;
   of_gradients.value = 0;
@@ -97,7 +117,7 @@ inline Error_code laplace_spectrum(Matrix_input& input, const std::vector<char>&
     }
   const Eigen::SparseMatrix<double> stiffness = assembled_matrix(input, input.metrics, of_gradients, all);
   const Eigen::SparseMatrix<double> mass = assembled_matrix(input, metrics_of_values, of_values, all);
-  return restricted_spectrum(stiffness, mass, free_dofs, request, result);
+  return restricted_spectrum(stiffness, mass, free_numbers(input, is_constrained, mass), request, result);
 }
 
 } // namespace internal

@@ -159,7 +159,9 @@ private:
     if(series.degree() > largest_degree || (!m_series.empty() && series.degree() >= m_series[0].degree()))
       return;
     series.set_at_zero(m_function(0));
-    const double bound = 2 * largest_difference(series, 4 * size);
+    double bound = 2 * largest_difference(series, 4 * size);
+    if(bound <= largest_error) // what is too narrow for these few points is seen by many
+      bound = (std::max)(bound, 2 * largest_difference(series, 16 * largest_degree));
     if(!(bound <= largest_error))
       return;
     m_error_bound = bound;
@@ -174,7 +176,10 @@ private:
     for(int j = 0; j <= number_of_points; ++j)
     {
       const double tangent = std::tan(j * pi / (2 * number_of_points));
-      const double mu = series.center() * tangent * tangent, difference = std::abs(m_function(mu) - series(mu));
+      const double mu = series.center() * tangent * tangent;
+      if(!std::isfinite(mu))
+        continue;
+      const double difference = std::abs(m_function(mu) - series(mu));
       if(!(difference <= most)) // not a number as well
         most = difference;
     }

@@ -69,6 +69,8 @@ public:
       code = m_factor->factorize(m_a, m_b, sigma);
       if(code == ok && distance_to_spectrum() > 1e-7 * unit)
         break;
+      if(attempt == 4)
+        return code == ok ? error_not_converged : code;
       sigma += 1e-5 * unit;
     }
     m_sigma = sigma;
@@ -76,6 +78,7 @@ public:
     return code;
   }
 
+  int size() const { return m_lanczos ? m_lanczos->size() : 0; }
   bool can_grow() const { return !m_lanczos || (m_lanczos->can_grow() && m_lanczos->size() < 1000); }
 
   // Until so many are known on both sides, or as many as there are, or the basis cannot grow.
@@ -87,7 +90,8 @@ public:
       m_lanczos = std::make_unique<Block_lanczos>(m_b, *m_factor, m_sigma, tolerance);
     while((number_on_left() < left || number_on_right() < right) && can_grow())
     {
-      const int goal = (std::max)(m_lanczos->size() + 12, left + right);
+      // a multiple eigenvalue may fill it, a few copies at a time; to look often costs a dense problem each time
+      const int step = (std::max)(12, m_lanczos->size() / 4), goal = (std::max)(m_lanczos->size() + step, left + right);
       while(m_lanczos->size() < goal && can_grow())
         m_lanczos->grow();
       list_converged();

@@ -280,6 +280,7 @@ private:
       }
       Spectrum_slice &left = m_slices[i]->spectrum, &right = m_slices[i + 1]->spectrum;
       const int number = number_between(i), split = split_between(left, right);
+      const int size_before = left.size() + right.size();
       if(split >= 0)
       {
         m_slices[i]->from_right = split;
@@ -288,14 +289,16 @@ private:
       }
       else if(number < 0)
         return error_not_converged;
-      else if(left.can_grow() || right.can_grow())
-        for_each({m_slices[i].get(), m_slices[i + 1].get()}, [&](Slice& slice) {
-          const bool is_left = &slice == m_slices[i].get();
-          slice.spectrum.find(is_left ? slice.spectrum.number_on_left() : slice.spectrum.number_on_left() + 8,
-                              is_left ? slice.spectrum.number_on_right() + 8 : slice.spectrum.number_on_right());
-        });
       else
       {
+        for_each({m_slices[i].get(), m_slices[i + 1].get()}, [&](Slice& slice) {
+          const bool is_left = &slice == m_slices[i].get();
+          const int known_left = slice.spectrum.number_on_left(), known_right = slice.spectrum.number_on_right();
+          slice.spectrum.find(is_left ? known_left : known_left + (std::max)(8, known_left / 4),
+                              is_left ? known_right + (std::max)(8, known_right / 4) : known_right);
+        });
+        if(left.size() + right.size() > size_before)
+          continue;
         std::vector<Slice*> fresh;
         if(!is_wide(i))
           return error_not_converged;
