@@ -137,19 +137,21 @@ void check_automatic_solver()
   GDP_CHECK(bound.has_iterated());
 
   // as a solver of its own
-  const int n = 5;
+  const int n = 50;
   GDP::Automatic_sparse_linear_solver::Matrix matrix(n);
   GDP::Automatic_sparse_linear_solver::Vector b(n), x(n);
   for(int i = 0; i < n; ++i)
   {
     matrix.set_coef(i, i, 3, true);
-    if(i > 0)
-    {
-      matrix.set_coef(i, i - 1, -1, true);
-      matrix.set_coef(i - 1, i, -1, true);
-    }
-    b[i] = 3 * i - (i > 0 ? i - 1 : 0) - (i + 1 < n ? i + 1 : 0);
+    if(i > 0) // a ring, and all with the first
+      for(int j : {i - 1, 0})
+      {
+        matrix.set_coef(i, j, -0.03, true);
+        matrix.set_coef(j, i, -0.03, true);
+      }
   }
+  const Eigen::VectorXd wanted = Eigen::VectorXd::LinSpaced(n, 0, n - 1);
+  b.eigen_object() = matrix.eigen_object() * wanted;
   for(GDP::Automatic_sparse_linear_solver solver : {free, bound})
   {
     double denominator = 0;

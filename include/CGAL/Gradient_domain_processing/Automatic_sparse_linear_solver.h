@@ -110,7 +110,9 @@ public:
     if(m_solver->needs_order())
     {
       Eigen::AMDOrdering<int>()(matrix.selfadjointView<Eigen::Lower>(), m_order);
-      matrix = Eigen::SparseMatrix<double>(matrix.twistedBy(m_order.inverse()));
+      Eigen::SparseMatrix<double> ordered(matrix.rows(), matrix.cols());
+      ordered.selfadjointView<Eigen::Lower>() = matrix.selfadjointView<Eigen::Lower>().twistedBy(m_order.inverse());
+      matrix.swap(ordered); // its lower triangle
     }
     if(m_solver->reads_lower_triangle())
       matrix = Eigen::SparseMatrix<double>(matrix.triangularView<Eigen::Lower>());
