@@ -162,6 +162,7 @@ void check_automatic_solver()
   }
   GDP::internal::Solver_task task;
   task.unknowns = 1000000;
+  task.cores = 16;
   GDP_CHECK(GDP::internal::multigrid_pays(task, 1e12));
   task.solutions_of_each = 100;
   GDP_CHECK(!GDP::internal::multigrid_pays(task, 1e12));
@@ -210,11 +211,12 @@ void check_choice()
   Solver_task task;
   task.unknowns = 999;
   task.gradient_weight = 1;
-  GDP_CHECK_NEAR(multigrid_iterations(task), 21, 1e-9);
+  GDP_CHECK_NEAR(multigrid_iterations(task), 28, 1e-9);
   task.has_metric = true;
-  GDP_CHECK_NEAR(multigrid_iterations(task), 31.5, 1e-9);
+  GDP_CHECK_NEAR(multigrid_iterations(task), 42, 1e-9);
   GDP_CHECK(!multigrid_pays(task, 1e12));
   task.unknowns = 2000000;
+  task.cores = 16;
   GDP_CHECK(multigrid_pays(task, 1e12));
   task.matrices = 0; // it is factorized already, if at all
   GDP_CHECK(cholesky_time(task) > 0 && multigrid_time(task) == 0);

@@ -41,8 +41,8 @@ namespace Gradient_domain_processing {
  * solves each system by the one of two solvers that is expected to be done first: `Default_sparse_linear_solver`, a
  * Cholesky factorization, or `Conjugate_gradient_solver_traits`. The choice depends on the number of degrees of
  * freedom, on how far the weights reach, on the metric, on the number of processors, and on the memory that is free; on
- * small meshes it is Cholesky. For a matrix that is used once, conjugate gradients are the faster from about a hundred
- * thousand vertices on.
+ * small meshes it is Cholesky. For a matrix that is used once, conjugate gradients are the faster from some hundred
+ * thousand vertices on, where there are four processors or more.
  *
  * Where the iteration does not converge, functions of this package solve by Cholesky factorization, as with
  * `Conjugate_gradient_solver_traits`. The choice is made when the pattern of the matrix is analyzed: for the weights
