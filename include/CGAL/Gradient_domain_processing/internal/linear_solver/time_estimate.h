@@ -22,9 +22,9 @@ namespace Gradient_domain_processing {
 namespace internal {
 
 // The times are seconds of one core of 2024, of which only ratios matter. Constants were set by the stages of a noisy,
-// subdivided scan of 200 and 800 thousand vertices under the metric of the embedding, on two threads of an idle machine;
-// there both solvers take the same time, and from four cores on conjugate gradients take less. The factor of a metric
-// and the shares of one core are guesses from a few runs.
+// subdivided scan of 200 and 800 thousand vertices under the metric of the embedding, on two threads of an idle
+// machine; there both solvers take the same time, and from four cores on conjugate gradients take less. The factor of a
+// metric and the shares of one core are guesses from a few runs.
 inline double on_cores(double seconds, double share_of_one_core, unsigned cores)
 {
   return seconds * (share_of_one_core + (1 - share_of_one_core) / double(cores));
