@@ -168,7 +168,7 @@ void run(std::string_view input)
   const Mesh_file before = file;
   Stage_clock clock(false);
   Report report;
-  report.survey = survey(file.points, file.polygons);
+  report.survey = survey(file.points, file.polygons, true);
   try
   {
     const Error_code code = filter_mesh(options, file, clock, report.facts);
