@@ -64,8 +64,10 @@ void holds(const Mesh& mesh, const std::set<Face>& faces, const Elements& elemen
   std::size_t wrong = 0;
   for(std::size_t v = 0; v < arrays.points.size(); ++v)
   {
-    wrong += arrays.unit() * arrays.points[v] != vec(mesh.point(elements.vertices[v]));
-    wrong += arrays.corners.size(int(v)) > 0 && (arrays.is_on_border[v] != 0) != mesh.is_border(elements.vertices[v]);
+    const bool is_used = arrays.corners.size(int(v)) > 0; // else it lies anywhere on the surface
+    wrong += is_used && arrays.unit() * arrays.points[v] != vec(mesh.point(elements.vertices[v]));
+    wrong += !is_used && arrays.points[v].cwiseAbs().maxCoeff() > 4;
+    wrong += is_used && (arrays.is_on_border[v] != 0) != mesh.is_border(elements.vertices[v]);
     for(const int* c = arrays.corners.begin(int(v)); c != arrays.corners.end(int(v)); ++c)
       wrong += arrays.triangles[*c / 3][*c % 3] != int(v) || (c + 1 < arrays.corners.end(int(v)) && c[1] <= c[0]);
   }

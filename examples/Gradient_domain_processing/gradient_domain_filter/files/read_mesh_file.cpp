@@ -211,8 +211,8 @@ Mesh_file parse_mesh_file(const std::string& name, File_format format, std::stri
   file.name = name;
   file.format = format;
   file.text = std::move(text);
-  const bool may_be_text = format != File_format::STL || file.text.compare(3, 5, "solid") == 0;
-  file.has_mark = may_be_text && file.text.compare(0, 3, utf8_mark) == 0;
+  const bool begins_with_mark = file.text.compare(0, 3, utf8_mark) == 0;
+  file.has_mark = begins_with_mark && (format != File_format::STL || file.text.compare(3, 5, "solid") == 0);
   if(file.has_mark)
     file.text.erase(0, 3);
   try
