@@ -51,7 +51,7 @@ public:
   void eliminate(const Matrix& matrix, bool parallel, Matrix& remainder)
   {
     *this = Stiff_elimination();
-    std::vector<double> diagonal = matrix.diagonal();
+    std::vector<double> diagonal = matrix.diagonal(parallel);
     if(!std::all_of(diagonal.begin(), diagonal.end(), [](double d) { return d > 0; }))
       return;
     Remainder rows(matrix, diagonal);
