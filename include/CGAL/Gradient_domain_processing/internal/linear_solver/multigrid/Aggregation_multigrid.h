@@ -92,7 +92,7 @@ public:
       if(p.columns == 0)
         return true;
       level.prolongation = in_single_precision(p);
-      restriction = transpose(p);
+      restriction = transpose(p, m_parallel);
       matrix = galerkin_product(*finer, p, restriction, m_parallel);
       finer = &matrix;
     }
@@ -259,13 +259,16 @@ private:
     });
   }
 
-  static Sparse_rows<float> in_single_precision(const Matrix& a)
+  Sparse_rows<float> in_single_precision(const Matrix& a) const
   {
     Sparse_rows<float> result;
     result.columns = a.columns;
     result.offset = a.offset;
     result.column = a.column;
-    result.value.assign(a.value.begin(), a.value.end());
+    result.value.resize(a.value.size());
+    for_each_block(m_parallel, a.value.size(), 1 << 16, [&](std::size_t begin, std::size_t end) {
+      std::copy(a.value.begin() + begin, a.value.begin() + end, result.value.begin() + begin);
+    });
     return result;
   }
 
