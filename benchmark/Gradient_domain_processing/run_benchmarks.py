@@ -99,7 +99,7 @@ def main():
     edge_aware = {"edge-aware, normals": filter_command + " --metric edge-aware --curvature normals",
                   "edge-aware, jets": filter_command + " --metric edge-aware --curvature jets",
                   **dict(p.split("=", 1) for p in options.edge_aware_peer)}
-    report = {"date": datetime.date.today().isoformat(), "machine": platform.machine(), "cores": os.cpu_count(),
+    report = {"date": datetime.date.today().isoformat(), "machine": platform.machine(), "cores": len(os.sched_getaffinity(0)),
               "processor": next((l.split(":", 1)[1].strip() for l in open("/proc/cpuinfo") if l.startswith("model name")), ""),
               "system": " ".join(platform.freedesktop_os_release().get(k, "") for k in ("NAME", "VERSION_ID")).strip(),
               "version": subprocess.run([program, "--version"], capture_output=True, text=True).stdout.strip(),

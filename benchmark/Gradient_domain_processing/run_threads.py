@@ -32,7 +32,7 @@ COMMANDS = {
 
 def thread_counts():
     counts = [1]
-    while 2 * counts[-1] <= os.cpu_count():
+    while 2 * counts[-1] <= len(os.sched_getaffinity(0)):
         counts.append(2 * counts[-1])
     return counts
 
@@ -74,7 +74,7 @@ def main():
     with open("/proc/cpuinfo") as stream:
         processor = next((line.split(":", 1)[1].strip() for line in stream if line.startswith("model name")), "")
     with open(options.output, "w") as stream:
-        json.dump({"date": datetime.date.today().isoformat(), "processor": processor, "cores": os.cpu_count(),
+        json.dump({"date": datetime.date.today().isoformat(), "processor": processor, "cores": len(os.sched_getaffinity(0)),
                    "mesh": os.path.basename(options.mesh), "threads": results}, stream, indent=1)
 
 
