@@ -6,6 +6,7 @@
 
 // Filters the positions, normals or colors of a mesh file: the package on the command line.
 
+#include "gradient_domain_filter/Background_task.h"
 #include "gradient_domain_filter/Failure.h"
 #include "gradient_domain_filter/Options.h"
 #include "gradient_domain_filter/Output_file.h"
@@ -23,6 +24,7 @@
 #include <locale>
 #include <memory>
 #include <new>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -67,14 +69,20 @@ Mesh_file read(const Options& options)
 }
 
 // Filters, and lets the normals of the file follow.
-void filter(const Options& options, const Output_form& form, Mesh_file& file, Stage_clock& clock, Report& report)
+void filter(const Options& options, const Output_form& form, bool is_surveyed, Mesh_file& file, Stage_clock& clock,
+            Report& report)
 {
   const std::vector<std::vector<double> > before = signal_values(options, file);
   const std::vector<Point> points = file.points;
+  std::optional<Background_task> surveying;
+  if(is_surveyed)
+    surveying.emplace([&] { report.survey = survey(points, file.polygons, options.has_metric()); });
   const GDP::Error_code code = filter_mesh(options, file, clock, report.facts);
   if(code != GDP::ok)
     throw Failure(options.input_name(),
                   (clock.invalid().empty() ? "" : clock.invalid() + ": ") + GDP::get_error_message(code));
+  if(surveying)
+    surveying->wait();
   const bool is_changed = report.measure(before, signal_values(options, file)) || options.only_adds();
   if(!is_changed)
     report.why_unchanged = report.facts.why_unchanged.empty() ? why_unchanged(options, file, before)
@@ -152,10 +160,8 @@ void run(const Options& options)
     form.format = options.output_format.value_or(file.format);
     check_output_form(options, form);
     check_form(file, form, options.output_name());
-    if(!options.is_quiet || report_file)
-      report.survey = survey(file.points, file.polygons, options.has_metric());
   }
-  filter(options, form, file, clock, report);
+  filter(options, form, !options.is_quiet || report_file, file, clock, report);
   {
     Timed_stage stage(clock, "write");
     const std::size_t size = file.text.size(), hash = std::hash<std::string_view>()(file.text);
