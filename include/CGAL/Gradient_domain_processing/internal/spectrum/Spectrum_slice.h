@@ -98,8 +98,8 @@ public:
     }
   }
 
-  // Whether all eigenvalues are on the right, and so far away for how near they are to each other that none has been told
-  // from the others; but for what rounding leaves of them.
+  // Whether all eigenvalues are on the right, and so far away for how near they are to each other that none has been
+  // told from the others; but for what rounding leaves of them.
   bool is_far() const
   {
     if(below() > 0 || !m_right.empty() || m_pairs.values.size() < 2 || m_pairs.values[0] <= m_sigma)
