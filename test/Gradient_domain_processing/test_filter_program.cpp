@@ -1677,7 +1677,7 @@ void test_case_files()
     return;
   }
   const double soup_volume = volume(case_out("soup_labelmap", "")) / volume(case_in("soup_labelmap"));
-  GDP_CHECK(soup_volume > 0.98 && soup_volume < 1);
+  GDP_CHECK_NEAR(soup_volume, 0.99186, 1e-4); // of the minimum of the energy; a ball as large keeps 0.9915
 
   const Kernel::Vector_3 center(18.13, 18.26, 18.39);
   const Soup ball = case_out("labelmap_sphere", "--operation denoise");

@@ -357,7 +357,7 @@ void test_region()
   GDP_CHECK(GDP::spectrum(region, mesh, 9, values, harmonics) == GDP::ok && values.size() == 9);
   GDP_CHECK_NEAR((values - expected).cwiseAbs().maxCoeff(), 0, 1e-9);
   for(Vertex v : mesh.vertices())
-    GDP_CHECK((harmonics.row(v).norm() == 0) == is_outside[v]);
+    GDP_CHECK((harmonics.row(int(v)).norm() == 0) == is_outside[v]);
   GDP_CHECK(GDP::spectrum(indices, points, triangles, 9, of_soup, harmonics) == GDP::ok);
   GDP_CHECK_NEAR((of_soup - expected).cwiseAbs().maxCoeff(), 0, 1e-8);
   // with constraints of its own, one more
@@ -428,7 +428,7 @@ void test_masks()
   GDP_CHECK_NEAR(values[0], 0, 1e-9);
   GDP_CHECK_NEAR(values[1] / (4 * pi * pi), 1, 0.1);
   for(Vertex v : mesh.vertices())
-    GDP_CHECK((harmonics(v, 0) == 0) == (mesh.point(v).x() > 0.54));
+    GDP_CHECK((harmonics(int(v), 0) == 0) == (mesh.point(v).x() > 0.54));
   alpha[Vertex(7)] = -1;
   GDP_CHECK(GDP::spectrum(mesh, 2, values, harmonics, np) == GDP::error_invalid_weight);
   alpha[Vertex(7)] = 1;

@@ -156,7 +156,8 @@ Error_code spectrum(const FaceRange& region, const TriangleMesh& tm, int count, 
  * \param count, eigenvalues, harmonics, np as above; property maps have indices, of type `std::size_t`, as keys
  */
 template <class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
-          class = internal::Enable_if_range<const PolygonRange>, class = void>
+          class = internal::Enable_if_range<const PointRange>, class = internal::Enable_if_range<const PolygonRange>,
+          class = void>
 Error_code spectrum(const PointRange& points, const PolygonRange& polygons, int count, Eigen::VectorXd& eigenvalues,
                     Eigen::MatrixXd& harmonics, const CGAL_NP_CLASS& np = parameters::default_values())
 {

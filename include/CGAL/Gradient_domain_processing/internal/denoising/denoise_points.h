@@ -18,6 +18,7 @@
 #include <CGAL/Gradient_domain_processing/internal/denoising/Denoising_options.h>
 #include <CGAL/Gradient_domain_processing/internal/denoising/Mesh_part.h>
 #include <CGAL/Gradient_domain_processing/internal/denoising/split_polygons.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/points.h>
 #include <CGAL/Gradient_domain_processing/visitor.h>
 
 #include <algorithm>
