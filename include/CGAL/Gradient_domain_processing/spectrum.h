@@ -98,7 +98,8 @@ Error_code spectrum_of_surface(const Surface& surface, int count, Eigen::VectorX
  *     \cgalParamDefault{1 everywhere}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{face_gradient_weight_map}
- *     \cgalParamDescription{a mask \f$ \beta \f$, how well a face conducts: \f$ S_f \f$ is multiplied by it; at least 0}
+ *     \cgalParamDescription{a mask \f$ \beta \f$, how well a face conducts: \f$ S_f \f$ is multiplied by it; at least 0.
+ *                           Where values count and no face conducts, every vertex has an eigenvalue 0 of its own}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with key `face_descriptor` and a number type as value}
  *     \cgalParamDefault{1 everywhere}
  *   \cgalParamNEnd
