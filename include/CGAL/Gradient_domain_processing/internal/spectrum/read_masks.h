@@ -37,27 +37,27 @@ struct Numbered_elements
 
   // visit(v, its number), of all vertices
   template <class NamedParameters, class Visit>
-  void vertices(const NamedParameters& np, const Visit& visit) const
+  void for_each_vertex(const NamedParameters& np, const Visit& visit) const
   {
     const auto map = CGAL::get_initialized_vertex_index_map(graph, np);
-    for(auto v : CGAL::vertices(graph))
+    for(auto v : vertices(graph))
       visit(v, std::size_t(get(map, v)));
   }
 
   template <class NamedParameters, class Visit>
-  void faces(const NamedParameters& np, const Visit& visit) const
+  void for_each_face(const NamedParameters& np, const Visit& visit) const
   {
     const auto map = CGAL::get_initialized_face_index_map(graph, np);
-    for(auto f : CGAL::faces(graph))
+    for(auto f : faces(graph))
       visit(f, std::size_t(get(map, f)));
   }
 
   // visit(number) of the vertices of all faces of which is_chosen(f)
   template <class NamedParameters, class Is_chosen, class Visit>
-  void corners(const NamedParameters& np, const Is_chosen& is_chosen, const Visit& visit) const
+  void for_each_corner(const NamedParameters& np, const Is_chosen& is_chosen, const Visit& visit) const
   {
     const auto map = CGAL::get_initialized_vertex_index_map(graph, np);
-    for(auto f : CGAL::faces(graph))
+    for(auto f : faces(graph))
       if(is_chosen(f))
         for(auto v : CGAL::vertices_around_face(halfedge(f, graph), graph))
           visit(std::size_t(get(map, v)));
@@ -71,21 +71,21 @@ struct Numbered_elements<Polygon_soup<PointRange, PolygonRange> >
   const Polygon_soup<PointRange, PolygonRange>& soup;
 
   template <class NamedParameters, class Visit>
-  void vertices(const NamedParameters&, const Visit& visit) const
+  void for_each_vertex(const NamedParameters&, const Visit& visit) const
   {
     for(std::size_t v = 0; v < std::size_t(soup.points.size()); ++v)
       visit(v, v);
   }
 
   template <class NamedParameters, class Visit>
-  void faces(const NamedParameters&, const Visit& visit) const
+  void for_each_face(const NamedParameters&, const Visit& visit) const
   {
     for(std::size_t f = 0; f < std::size_t(soup.polygons.size()); ++f)
       visit(f, f);
   }
 
   template <class NamedParameters, class Is_chosen, class Visit>
-  void corners(const NamedParameters&, const Is_chosen& is_chosen, const Visit& visit) const
+  void for_each_corner(const NamedParameters&, const Is_chosen& is_chosen, const Visit& visit) const
   {
     for(std::size_t f = 0; f < std::size_t(soup.polygons.size()); ++f)
       if(is_chosen(f))
@@ -105,7 +105,7 @@ Error_code read_masks(const Surface& surface, const NamedParameters& np, const M
   bool is_good = true;
   masks.is_constrained.resize(n, 0);
   if constexpr(Has_parameter<vertex_is_constrained_t, NamedParameters>::value)
-    elements.vertices(np, [&](const auto& v, std::size_t i) {
+    elements.for_each_vertex(np, [&](const auto& v, std::size_t i) {
       if(i < n && get(parameter(np, vertex_is_constrained, 0), v))
         masks.is_constrained[i] = 1;
     });
@@ -118,14 +118,14 @@ Error_code read_masks(const Surface& surface, const NamedParameters& np, const M
   if constexpr(Has_parameter<vertex_value_weight_map_t, NamedParameters>::value)
   {
     masks.value_weight.assign(n, 0.);
-    elements.vertices(np, [&](const auto& v, std::size_t i) {
+    elements.for_each_vertex(np, [&](const auto& v, std::size_t i) {
       read(parameter(np, vertex_value_weight_map, 0), v, i, masks.value_weight);
     });
   }
   if constexpr(Has_parameter<face_gradient_weight_map_t, NamedParameters>::value)
   {
     masks.gradient_weight.assign(std::size_t(index_range(input.face_index)), 0.);
-    elements.faces(np, [&](const auto& f, std::size_t i) {
+    elements.for_each_face(np, [&](const auto& f, std::size_t i) {
       read(parameter(np, face_gradient_weight_map, 0), f, i, masks.gradient_weight);
     });
   }
@@ -141,7 +141,7 @@ Error_code constrain_outside(const FaceRange& region, const Surface& surface, co
   typedef typename Surface_traits<Surface>::face_descriptor Face;
   const Numbered_elements<Surface> elements{surface};
   std::vector<Face> all, inside;
-  elements.faces(np, [&](const Face& f, std::size_t) { all.push_back(f); });
+  elements.for_each_face(np, [&](const Face& f, std::size_t) { all.push_back(f); });
   std::sort(all.begin(), all.end());
   for(const auto& f : region)
     inside.push_back(Face(f));
@@ -150,7 +150,7 @@ Error_code constrain_outside(const FaceRange& region, const Surface& surface, co
   if(!std::includes(all.begin(), all.end(), inside.begin(), inside.end()))
     return error_invalid_region;
   masks.is_constrained.assign(std::size_t(index_range(input.vertex_index)), 0);
-  elements.corners(
+  elements.for_each_corner(
     np, [&](const Face& f) { return !std::binary_search(inside.begin(), inside.end(), f); },
     [&](std::size_t i) { masks.is_constrained[i] = 1; });
   return ok;
