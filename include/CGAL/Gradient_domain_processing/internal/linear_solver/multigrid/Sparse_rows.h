@@ -13,6 +13,7 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_MULTIGRID_SPARSE_ROWS_H
 
 #include <CGAL/Gradient_domain_processing/internal/mesh/Lists.h>
+#include <CGAL/Gradient_domain_processing/internal/parallel/Untouched_vector.h>
 #include <CGAL/Gradient_domain_processing/internal/parallel/parallel_blocks.h>
 
 #include <algorithm>
@@ -24,13 +25,13 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// A sparse matrix in compressed rows, as plain arrays.
+// A sparse matrix in compressed rows, as plain arrays; entries are first touched by the threads that set them.
 template <class Real>
 struct Sparse_rows
 {
   std::vector<int> offset; // rows + 1
-  std::vector<int> column;
-  std::vector<Real> value;
+  Untouched_vector<int> column;
+  Untouched_vector<Real> value;
   int columns = 0;
 
   int rows() const { return int(offset.size()) - 1; }
@@ -51,7 +52,7 @@ struct Sparse_rows
 template <class Real>
 Sparse_rows<Real> transpose(const Sparse_rows<Real>& a, bool parallel)
 {
-  std::vector<int> row_of(a.column.size());
+  Untouched_vector<int> row_of(a.column.size());
   for_each_block(parallel, std::size_t(a.rows()), 8192, [&](std::size_t begin, std::size_t end) {
     for(std::size_t i = begin; i < end; ++i)
       std::fill(row_of.begin() + a.offset[i], row_of.begin() + a.offset[i + 1], int(i));
