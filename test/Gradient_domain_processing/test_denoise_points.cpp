@@ -397,7 +397,9 @@ void fairing_solves_its_system()
     (Eigen::MatrixXd::Identity(n, n) + bending).ldlt().solve(Eigen::MatrixXd(-bending * positions));
   const Points normals = mesh.vertex_normals(true);
   Points points = shape.points;
-  const GDP::internal::Surface_fairing fairing(mesh, rings, GDP::internal::Dual_graph(mesh, true), 1, true);
+  const GDP::internal::Dual_graph dual_of_mesh(mesh, true);
+  GDP::internal::Surface_fairing fairing(mesh, rings, dual_of_mesh, 1, true);
+  fairing.take_all();
   fairing([](int v) { return v != 7; }, normals, points);
   GDP_CHECK(points[7] == shape.points[7]);
   double largest = 0, error = 0;
@@ -418,6 +420,7 @@ void fairing_solves_its_system()
   const GDP::internal::Dual_graph dual(of_cube, true);
   const GDP::internal::Face_geometry faces(of_cube, dual, cube.points, true);
   GDP::internal::Surface_fairing all(of_cube, rings_of_cube, dual, 1, true), flat = all;
+  all.take_all();
   flat.keep_creases(faces.normals);
   Points worn = cube.points, kept = cube.points;
   all([](int) { return true; }, of_cube.vertex_normals(true), worn);
@@ -450,8 +453,9 @@ void fairing_keeps_lines()
   const GDP::internal::Lists rings = mesh.one_rings(true);
   const GDP::internal::Dual_graph dual(mesh, true);
   Points points = shape.points;
-  GDP::internal::Surface_fairing(mesh, rings, dual, 1, true)([](int) { return true; }, mesh.vertex_normals(true),
-                                                              points);
+  GDP::internal::Surface_fairing fairing(mesh, rings, dual, 1, true);
+  fairing.take_all();
+  fairing([](int) { return true; }, mesh.vertex_normals(true), points);
   GDP_CHECK(line.size() == 7 && largest_shift(points, shape.points) < 1e-6);
 }
 

@@ -214,6 +214,100 @@ void check_state()
   GDP_CHECK(distance(y.result(), before) == 0);
 }
 
+// Another region in a solver is a new solver of that region, without reading the mesh again.
+void check_regions()
+{
+  Fixture x;
+  const std::vector<Face> all(faces(x.tm).begin(), faces(x.tm).end());
+  const std::vector<Face> lower(all.begin(), all.begin() + 150), upper(all.begin() + 100, all.end() - 40);
+  auto is_constrained = x.tm.add_property_map<Vertex, bool>("v:constrained", false).first;
+  for(Vertex v : vertices(x.tm))
+    is_constrained[v] = int(v) % 7 == 0;
+  const auto constraints = GDP::parameters::vertex_is_constrained_map(is_constrained);
+  const auto none = GDP::parameters::default_values();
+  const auto weights = GDP::parameters::gradient_weight(1e-2);
+  Counting_traits traits;
+  auto solver = GDP::make_gradient_domain_solver(x.tm, weights.sparse_linear_solver(traits));
+  const auto is_as_new = [&](const std::vector<Face>& region, const auto& np) {
+    GDP_CHECK(solver.filter(x.numbers, x.out_numbers) == GDP::ok);
+    Fixture y;
+    GDP_CHECK(GDP::process_signal(region, y.tm, y.numbers, y.out_numbers, np) == GDP::ok);
+    std::vector<char> is_in(num_vertices(x.tm), 0), is_out(num_vertices(x.tm), 1);
+    for(Face f : region)
+      for(Vertex v : vertices_around_face(halfedge(f, x.tm), x.tm))
+        is_in[v] = 1;
+    for(Vertex v : vertices(x.tm))
+    {
+      if(is_in[v])
+        GDP_CHECK_NEAR(x.out_numbers[v], y.out_numbers[v], 1e-13);
+      else
+        GDP_CHECK(x.out_numbers[v] == x.numbers[v]);
+    }
+  };
+  is_as_new(all, weights);
+  GDP_CHECK(solver.set_region(lower) == GDP::ok);
+  is_as_new(lower, weights);
+  const std::size_t dofs = solver.number_of_degrees_of_freedom();
+  GDP_CHECK(dofs > 20 && dofs < num_vertices(x.tm) / 2 + 10 && traits.solver().analyses == 2);
+  // constraints in a region, which stays as they change
+  GDP_CHECK(solver.set_constraints_from_parameters(constraints) == GDP::ok);
+  is_as_new(lower, weights.vertex_is_constrained_map(is_constrained));
+  GDP_CHECK(solver.set_region(upper, constraints) == GDP::ok);
+  is_as_new(upper, weights.vertex_is_constrained_map(is_constrained));
+  // one that is refused changes nothing
+  std::vector<Face> wrong = lower;
+  wrong.push_back(Face(100000));
+  GDP_CHECK(solver.set_region(wrong, none) == GDP::error_invalid_region);
+  is_as_new(upper, weights.vertex_is_constrained_map(is_constrained));
+  GDP_CHECK(solver.set_region(std::vector<Face>()) == GDP::ok);
+  is_as_new({}, weights);
+  GDP_CHECK(solver.number_of_degrees_of_freedom() == 0);
+  GDP_CHECK(solver.set_region(all) == GDP::ok);
+  is_as_new(all, weights);
+
+  // within a region that a solver was made for; a soup, with faces in any order
+  auto of_region = GDP::make_gradient_domain_solver(upper, x.tm, weights);
+  GDP_CHECK(of_region.set_region(lower) == GDP::error_invalid_region);
+  const std::vector<Face> common(all.begin() + 100, all.begin() + 150);
+  GDP_CHECK(of_region.set_region(common) == GDP::ok);
+  Fixture y, z;
+  GDP_CHECK(of_region.filter(y.numbers, y.out_numbers) == GDP::ok);
+  GDP_CHECK(GDP::process_signal(common, z.tm, z.numbers, z.out_numbers, weights) == GDP::ok);
+  for(Face f : common)
+    for(Vertex v : vertices_around_face(halfedge(f, x.tm), x.tm))
+      GDP_CHECK_NEAR(y.out_numbers[v], z.out_numbers[v], 1e-13);
+}
+
+// Likewise of quads, whose virtual vertices go with them.
+void check_regions_of_polygons()
+{
+  std::vector<K::Point_3> points;
+  std::vector<std::array<std::size_t, 4> > quads;
+  std::vector<double> in, out, expected;
+  for(std::size_t i = 0; i < 100; ++i)
+  {
+    points.emplace_back(double(i / 10), double(i % 10), 0.1 * double(i % 3));
+    in.push_back(double(i * 37 % 17));
+  }
+  for(std::size_t i = 0; i < 9; ++i)
+    for(std::size_t j = 0; j < 9; ++j)
+      quads.push_back({{10 * i + j, 10 * i + 10 + j, 10 * i + 11 + j, 10 * i + j + 1}});
+  out = expected = in;
+  const std::vector<std::size_t> region = {40, 41, 49, 50, 51, 31, 32, 33, 42, 22, 23, 24, 30, 39, 48};
+  const auto map = [](std::vector<double>& values) { return CGAL::make_property_map(values); };
+  auto solver = GDP::make_gradient_domain_solver(points, quads, GDP::parameters::gradient_weight(1e-2));
+  GDP_CHECK(solver.set_region(region) == GDP::ok && solver.filter(map(in), map(out)) == GDP::ok);
+  GDP_CHECK(GDP::process_signal(region, points, quads, map(in), map(expected), GDP::parameters::gradient_weight(1e-2))
+            == GDP::ok);
+  int changed = 0;
+  for(std::size_t v = 0; v < in.size(); ++v)
+  {
+    GDP_CHECK_NEAR(out[v], expected[v], 1e-12);
+    changed += out[v] != in[v];
+  }
+  GDP_CHECK(changed > 2 && changed < 16);
+}
+
 // The default solver, and LL^T in general, notices a matrix that is not positive definite.
 template <class Traits>
 void check_indefinite()
@@ -242,6 +336,8 @@ int main()
   check_reuse();
   check_iterations();
   check_state();
+  check_regions();
+  check_regions_of_polygons();
   check_indefinite<GDP::Default_sparse_linear_solver>();
   check_indefinite<CGAL::Eigen_solver_traits<Eigen::SimplicialLLT<Sparse> > >();
   return GDP_TEST_RESULT();

@@ -19,7 +19,9 @@
 #include <CGAL/Gradient_domain_processing/internal/spectrum/filter_by_harmonics.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <random>
 #include <vector>
 
 using namespace gdp_test;
@@ -144,6 +146,36 @@ void test_shifts()
   }
 }
 
+// A narrow cluster far from zero is told apart, from below and by a shift next to it or in it.
+void test_far_clusters()
+{
+  const int n = 1500;
+  Eigen::VectorXd values(n), ones = Eigen::VectorXd::Ones(n);
+  for(int i = 0; i < n; ++i)
+    values[i] = 1e6 + (i * 7 % n) / 500.;
+  const Sparse a = diagonal(values), b = diagonal(ones);
+  Eigenpairs pairs;
+  GDP_CHECK(lowest_eigenpairs(a, b, 70, pairs) == GDP::ok && pairs.values.size() == 70);
+  check_pairs(a, b, pairs, 1e-6, 1e-10);
+  for(int j = 0; j < int(pairs.values.size()); ++j)
+    GDP_CHECK_NEAR(pairs.values[j], 1e6 + j / 500., 1e-7);
+  for(double shift : {0., 999999., 1e6 + 1.0007})
+  {
+    GDP_CHECK(nearest_eigenpairs(a, b, shift, 20, pairs) == GDP::ok && pairs.values.size() == 20);
+    const double first = shift < 1e6 ? 1e6 : 1e6 + 0.982;
+    for(int j = 0; j < int(pairs.values.size()); ++j)
+      GDP_CHECK_NEAR(pairs.values[j], first + j / 500., 1e-7);
+  }
+  // all may be the same, of a space of any size
+  for(int size : {30, 100, 121, 300})
+  {
+    const Sparse same = diagonal(Eigen::VectorXd::Constant(size, 1e6)), one = diagonal(Eigen::VectorXd::Ones(size));
+    GDP_CHECK(lowest_eigenpairs(same, one, 5, pairs) == GDP::ok && pairs.values.size() == 5);
+    for(int j = 0; j < int(pairs.values.size()); ++j)
+      GDP_CHECK_NEAR(pairs.values[j], 1e6, 1e-6);
+  }
+}
+
 // Filters columns by vertex.
 GDP::Error_code apply(const Rational_filter& filter, const Arrays& arrays, Eigen::MatrixXd& columns)
 {
@@ -251,12 +283,55 @@ void test_approximations()
                        filter.error_bound() + 1e-11);
     }
   GDP_CHECK(Rational_filter::band_pass(5, 20, 4).series().size() == 1);
+  // what has one center is factorized once, and adds up
+  const Rational_filter twice = Rational_filter::low_pass(5, 2).minus(Rational_filter::low_pass(5, 6));
+  GDP_CHECK(twice.series().size() == 1 && twice.degree() == Rational_filter::low_pass(5, 6).degree());
+  for(double mu : {0., 3., 5., 8., 200.})
+    GDP_CHECK_NEAR(twice.approximation(mu), 1 / (1 + std::pow(mu / 5, 2)) - 1 / (1 + std::pow(mu / 5, 6)), 2e-8);
   GDP_CHECK(Rational_filter::band_pass(0.01, 100, 4).series().size() == 2);
   const auto exponential = [](double mu) { return std::exp(-mu); };
   GDP_CHECK(Rational_filter::approximation_near(1, exponential, 1e-8).degree()
             <= Rational_filter::approximation_near(16, exponential, 1e-8).degree() + 5);
   GDP_CHECK(std::isinf(Rational_filter::approximation_near(1, [](double mu) { return mu; }, 1e-6).error_bound()));
   GDP_CHECK(std::isinf(Rational_filter::approximation_near(1, [](double) { return std::nan(""); }, 1).error_bound()));
+}
+
+// Every solution off by a part of its vector, along any of the harmonics, changes the result by no more than the
+// sensitivity says; and by a good deal of it where all go the same way.
+void test_sensitivity()
+{
+  const double error = 1e-7;
+  for(const Rational_filter& filter :
+      {Rational_filter::low_pass(1, 1), Rational_filter::low_pass(1, 4), Rational_filter::band_pass(0.01, 100, 4),
+       Rational_filter::windowed_step(1, 40, [](double) { return 1.; })})
+  {
+    double most = 0;
+    for(double mu : {0., 0.05, 0.9, 1., 1.2, 30., 1e9})
+      for(int seed = 0; seed < 40; ++seed)
+      {
+        std::mt19937 random(static_cast<unsigned>(seed));
+        double sum = filter.constant(), expected = sum;
+        for(const Chebyshev_series& series : filter.series())
+        {
+          const double t = (mu - series.center()) / (mu + series.center());
+          double last = 0, now = 1;
+          sum += series.coefficients()[0];
+          for(int degree = 1; degree <= series.degree(); ++degree)
+          {
+            const double sign = seed < 2 ? (seed == 0 ? 1 : degree % 2 ? 1 : -1) : random() % 2 ? 1 : -1;
+            double next = now - 2 * ((1 - t) / 2 * now + sign * error * std::abs(now));
+            next = degree > 1 ? 2 * next - last : next;
+            sum += series.coefficients()[std::size_t(degree)] * next;
+            last = now;
+            now = next;
+          }
+          expected += series(mu);
+        }
+        most = (std::max)(most, std::abs(sum - expected));
+      }
+    GDP_CHECK(most <= 1.01 * error * filter.sensitivity());
+    GDP_CHECK(most > 0.02 * error * filter.sensitivity());
+  }
 }
 
 // A square whose border is constrained: pi^2 (i^2 + j^2), counted from one.
@@ -284,8 +359,10 @@ int main()
   test_sphere();
   test_bands();
   test_shifts();
+  test_far_clusters();
   test_rational_filters();
   test_approximations();
+  test_sensitivity();
   test_constrained();
   return GDP_TEST_RESULT();
 }

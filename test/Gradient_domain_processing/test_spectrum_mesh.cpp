@@ -317,6 +317,125 @@ void test_embedding_measure()
   GDP_CHECK_NEAR(harmonics.col(0).cwiseAbs().maxCoeff(), 2, 1e-9); // one over the root of the area
 }
 
+// A region is what is left when all with a face outside is constrained, on a mesh and on a soup.
+void test_region()
+{
+  Mesh mesh = mesh_of(grid(16, 12, [](double u, double v) { return Vec(u, v, 0.2 * u * u); }));
+  auto is_outside = mesh.add_property_map<Vertex, bool>("v:outside", false).first;
+  std::vector<Face> region;
+  std::vector<std::size_t> indices;
+  std::vector<std::array<std::size_t, 3> > triangles;
+  std::vector<Point> points(mesh.number_of_vertices());
+  for(Vertex v : mesh.vertices())
+    points[v] = mesh.point(v);
+  for(Face f : mesh.faces())
+  {
+    std::array<std::size_t, 3> t{};
+    std::size_t i = 0;
+    double x = 0;
+    for(Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
+    {
+      x += mesh.point(v).x() / 3;
+      t[i++] = v;
+    }
+    if(x < 0.6)
+    {
+      region.push_back(f);
+      indices.push_back(triangles.size());
+    }
+    else
+      for(Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
+        is_outside[v] = true;
+    triangles.push_back(t);
+  }
+  std::reverse(region.begin(), region.end());
+  region.push_back(region.front()); // twice is once
+  Eigen::VectorXd expected, values, of_soup;
+  Eigen::MatrixXd harmonics;
+  GDP_CHECK(GDP::spectrum(mesh, 9, expected, harmonics, GDP::parameters::vertex_is_constrained_map(is_outside))
+            == GDP::ok);
+  GDP_CHECK(GDP::spectrum(region, mesh, 9, values, harmonics) == GDP::ok && values.size() == 9);
+  GDP_CHECK_NEAR((values - expected).cwiseAbs().maxCoeff(), 0, 1e-9);
+  for(Vertex v : mesh.vertices())
+    GDP_CHECK((harmonics.row(int(v)).norm() == 0) == is_outside[v]);
+  GDP_CHECK(GDP::spectrum(indices, points, triangles, 9, of_soup, harmonics) == GDP::ok);
+  GDP_CHECK_NEAR((of_soup - expected).cwiseAbs().maxCoeff(), 0, 1e-8);
+  // with constraints of its own, one more
+  auto is_constrained = mesh.add_property_map<Vertex, bool>("v:constrained", false).first;
+  is_constrained[Vertex(3)] = true;
+  GDP_CHECK(GDP::spectrum(region, mesh, 9, values, harmonics,
+                          GDP::parameters::vertex_is_constrained_map(is_constrained)) == GDP::ok);
+  GDP_CHECK(harmonics.row(3).isZero(0) != is_outside[Vertex(3)] && values[0] > expected[0]);
+  region.push_back(Face(100000));
+  indices.push_back(100000);
+  GDP_CHECK(GDP::spectrum(region, mesh, 9, values, harmonics) == GDP::error_invalid_region);
+  GDP_CHECK(GDP::spectrum(indices, points, triangles, 9, values, harmonics) == GDP::error_invalid_region);
+}
+
+// Masks are conductances and masses: of a half that conducts four times worse (see test_embedding_measure), of all, and
+// of a part that alone is left, with a border of its own.
+void test_masks()
+{
+  Mesh mesh = mesh_of(grid(32, 8, [](double u, double v) { return Vec(u, 0.25 * v, 0); }));
+  auto alpha = mesh.add_property_map<Vertex, double>("v:alpha", 1).first;
+  auto beta = mesh.add_property_map<Face, double>("f:beta", 1).first;
+  std::vector<double> of_points(mesh.number_of_vertices(), 1), of_polygons;
+  std::vector<Point> points;
+  std::vector<std::array<std::size_t, 3> > triangles;
+  for(Vertex v : mesh.vertices())
+    points.push_back(mesh.point(v));
+  const auto is_left_of = [&](double end, Face f) {
+    double x = 0;
+    for(Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
+      x += mesh.point(v).x() / 3;
+    return x < end;
+  };
+  for(Face f : mesh.faces())
+  {
+    std::array<std::size_t, 3> t{};
+    std::size_t i = 0;
+    for(Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
+      t[i++] = v;
+    triangles.push_back(t);
+    beta[f] = is_left_of(0.5, f) ? 1 : 0.25;
+    of_polygons.push_back(beta[f]);
+  }
+  Eigen::VectorXd plain, values, of_soup;
+  Eigen::MatrixXd harmonics;
+  const auto np = GDP::parameters::vertex_value_weight_map(alpha).face_gradient_weight_map(beta);
+  GDP_CHECK(GDP::spectrum(mesh, 6, plain, harmonics) == GDP::ok);
+  GDP_CHECK(GDP::spectrum(mesh, 6, values, harmonics, np) == GDP::ok);
+  GDP_CHECK_NEAR(values[1] / std::pow(2 * std::atan(std::sqrt(2.)), 2), 1, 0.01);
+  const auto of_map = [](std::vector<double>& x) { return CGAL::make_property_map(x); };
+  GDP_CHECK(GDP::spectrum(points, triangles, 6, of_soup, harmonics,
+                          GDP::parameters::vertex_value_weight_map(of_map(of_points))
+                            .face_gradient_weight_map(of_map(of_polygons)))
+            == GDP::ok);
+  GDP_CHECK_NEAR((of_soup - values).cwiseAbs().maxCoeff(), 0, 1e-8);
+
+  for(Vertex v : mesh.vertices())
+    alpha[v] = 8;
+  for(Face f : mesh.faces())
+    beta[f] = 2;
+  GDP_CHECK(GDP::spectrum(mesh, 6, values, harmonics, np) == GDP::ok);
+  GDP_CHECK_NEAR((4 * values - plain).cwiseAbs().maxCoeff(), 0, 1e-8);
+
+  for(Vertex v : mesh.vertices())
+    alpha[v] = mesh.point(v).x() < 0.51;
+  for(Face f : mesh.faces())
+    beta[f] = is_left_of(0.53, f); // wherever values count
+  GDP_CHECK(GDP::spectrum(mesh, 2, values, harmonics, np) == GDP::ok);
+  GDP_CHECK_NEAR(values[0], 0, 1e-9);
+  GDP_CHECK_NEAR(values[1] / (4 * pi * pi), 1, 0.1);
+  for(Vertex v : mesh.vertices())
+    GDP_CHECK((harmonics(int(v), 0) == 0) == (mesh.point(v).x() > 0.54));
+  alpha[Vertex(7)] = -1;
+  GDP_CHECK(GDP::spectrum(mesh, 2, values, harmonics, np) == GDP::error_invalid_weight);
+  alpha[Vertex(7)] = 1;
+  beta[Face(7)] = std::nan("");
+  GDP_CHECK(GDP::spectrum(mesh, 2, values, harmonics, np) == GDP::error_invalid_weight);
+}
+
 // On a cylinder waves around it are slowed down, those along it are not: the spectrum sees the direction of curvature.
 void test_curvature_direction()
 {
@@ -454,6 +573,8 @@ int main()
   test_equivariance();
   test_shift();
   test_embedding_measure();
+  test_region();
+  test_masks();
   test_curvature_direction();
   test_spectra_of_matrices();
   test_refusals();

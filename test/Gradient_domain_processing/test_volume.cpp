@@ -14,6 +14,8 @@
 #include <CGAL/Gradient_domain_processing/internal/mesh/polygon_fans.h>
 #include <CGAL/Gradient_domain_processing/smooth.h>
 
+#include <array>
+#include <utility>
 #include <vector>
 
 namespace GDP = CGAL::Gradient_domain_processing;
@@ -233,6 +235,31 @@ void test_soups_without_orientation()
   }
 }
 
+// A face that is turned over is seen however small it is.
+void test_small_turned_face()
+{
+  Shape shape = sphere(4);
+  const auto [a, b, c] = shape.triangles.front();
+  const int first = int(shape.points.size());
+  const Vec center = (shape.points[a] + shape.points[b] + shape.points[c]) / 3;
+  for(int corner : {a, b, c})
+    shape.points.push_back(center + 1e-4 * (shape.points[corner] - center));
+  const int p = first, q = first + 1, r = first + 2;
+  shape.triangles.front() = {{p, q, r}};
+  for(const auto& t : {std::array<int, 3>{{a, b, q}}, {{a, q, p}}, {{b, c, r}}, {{b, r, q}}, {{c, a, p}}, {{c, p, r}}})
+    shape.triangles.push_back({{t[0], t[1], t[2]}});
+  for(bool is_turned : {false, true})
+  {
+    if(is_turned)
+      std::swap(shape.triangles.front()[0], shape.triangles.front()[1]);
+    std::vector<Point> points;
+    for(const Vec& x : shape.points)
+      points.push_back(Point(x.x(), x.y(), x.z()));
+    const auto np = GDP::parameters::gradient_weight(1e-3).restore_volume(true);
+    GDP_CHECK(GDP::smooth(points, shape.triangles, np) == (is_turned ? GDP::error_no_volume : GDP::ok));
+  }
+}
+
 // Passes that would shrink a sphere to a point, one after the other.
 void test_many_passes()
 {
@@ -254,6 +281,7 @@ int main()
   test_closed_meshes();
   test_meshes_without_volume();
   test_soups_without_orientation();
+  test_small_turned_face();
   test_offsets();
   test_polygon_area();
   return GDP_TEST_RESULT();

@@ -198,6 +198,13 @@ void read_rest(const po::variables_map& given, Options& o)
   o.noise_level = number("noise-level");
   o.noise_scale = number("noise-scale");
   o.max_displacement = number("max-displacement");
+  o.spectral_shift = number("shift");
+  if(given.count("window"))
+    o.window = choice<GDP::Spectral_window>(given, "window",
+                                            {{"hamming", GDP::Spectral_window::HAMMING},
+                                             {"hann", GDP::Spectral_window::HANN},
+                                             {"blackman", GDP::Spectral_window::BLACKMAN},
+                                             {"nuttall", GDP::Spectral_window::NUTTALL}});
   if(is_given(given, "value-weight"))
     o.denoising_value_weight = o.value_weight;
   if(given.count("passes"))

@@ -9,6 +9,7 @@
 
 #include "files/Mesh_file.h"
 
+#include <CGAL/Gradient_domain_processing/Spectral_filter.h>
 #include <CGAL/Gradient_domain_processing/enum.h>
 
 #include <algorithm>
@@ -54,7 +55,9 @@ struct Options
   std::optional<double> weld_tolerance = 0.; // none: seams stay open
   std::string constrained_property, region_property, region_vertices_property;
   std::vector<double> wavelengths; // one or two
-  int filter_order = 4, number_of_harmonics = 10;
+  int filter_order = 4, number_of_harmonics = 10, filter_degree = 40;
+  std::optional<CGAL::Gradient_domain_processing::Spectral_window> window; // none: Butterworth's filters
+  std::optional<double> spectral_shift;                                    // none: the lowest harmonics
   std::string eigenvalues;
 
   Solver_kind solver = Solver_kind::AUTO;

@@ -134,7 +134,9 @@ std::vector<std::pair<std::string, std::string> > used_weights(const Options& o)
   for(std::size_t i = 0; i < o.wavelengths.size(); ++i)
     add(i == 0 ? "wavelength" : "other_wavelength", o.wavelengths[i]);
   if(o.is_band())
-    add("order", o.filter_order);
+    add(o.window ? "degree" : "order", o.window ? o.filter_degree : o.filter_order);
+  if(o.spectral_shift)
+    add("shift", *o.spectral_shift);
   if(!o.is_of_paper())
     return used;
   add("value_weight", o.value_weight, o.value_weight_property);

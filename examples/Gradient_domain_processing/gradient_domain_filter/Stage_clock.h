@@ -10,6 +10,7 @@
 #include <CGAL/Gradient_domain_processing/visitor.h>
 
 #include <chrono>
+#include <cstddef>
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -84,6 +85,8 @@ public:
 
   void notice(const std::string& sentence) { m_notices.push_back(sentence); }
   const std::vector<std::string>& notices() const { return m_notices; }
+  // What was told of a run that is begun again.
+  void forget_notices_after(std::size_t number) { m_notices.resize(number); }
 
   // What the error is about; empty if it is about no vertex or face.
   const std::string& invalid() const { return m_invalid; }

@@ -103,8 +103,11 @@ void check_beyond(const po::variables_map& given, const Options& o)
   if(o.is_band())
     forbid(given, {"axes", "max-displacement"}, "--operation " + o.operation_name);
   require(given, {"region-vertices"}, is_fair, "--operation fair");
-  require(given, {"wavelengths", "order"}, o.is_band(), "--operation low-pass, high-pass, band-pass or band-stop");
-  require(given, {"count", "eigenvalues"}, is_spectrum, "--operation spectrum");
+  require(given, {"wavelengths", "order", "window"}, o.is_band(),
+          "--operation low-pass, high-pass, band-pass or band-stop");
+  require(given, {"degree"}, o.is_band() && o.window, "--window");
+  exclude(given, "order", "window");
+  require(given, {"count", "eigenvalues", "shift"}, is_spectrum, "--operation spectrum");
   if(is_fair && o.region_vertices_property.empty() && o.constrained_property.empty())
     throw Usage_error("--operation fair needs --region-vertices, or --constrain and moves all others");
   const std::size_t needed = o.operation == Operation::LOW_PASS || o.operation == Operation::HIGH_PASS ? 1 : 2;
@@ -187,6 +190,8 @@ void check_numbers(const Options& o)
   check_count("iterations", o.iterations);
   check_count("order", o.filter_order);
   check_count("count", o.number_of_harmonics);
+  check_count("degree", o.filter_degree);
+  check_number("shift", o.spectral_shift.value_or(0), false);
   check_count("non-shrinking", o.non_shrinking);
   check_count("passes", o.passes.value_or(1));
   if(o.jet_degree < 2 || o.jet_degree > 4)

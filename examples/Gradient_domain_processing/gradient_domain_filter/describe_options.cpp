@@ -25,7 +25,12 @@ po::options_description filter_options(Options& o)
     ("wavelengths", po::value<std::string>()->value_name("A[,B]"),
      "cut-offs of low-pass and the like, in the unit of the file")
     ("order", po::value(&o.filter_order)->default_value(4), "how sharp these are")
+    ("window", po::value<std::string>()->value_name("NAME"),
+     "hamming | hann | blackman | nuttall: steeper filters, a step whose series is damped, in place of --order")
+    ("degree", po::value(&o.filter_degree)->default_value(40), "how many terms such a series has")
     ("count", po::value(&o.number_of_harmonics)->default_value(10), "of the harmonics of spectrum")
+    ("shift", po::value<double>()->value_name("X"),
+     "spectrum finds those whose eigenvalues are nearest to X, (2 pi / wavelength)^2, not the lowest")
     ("eigenvalues", po::value(&o.eigenvalues)->value_name("FILE.csv"), "where spectrum writes the eigenvalues")
     ("hessian-weight", po::value(&o.hessian_weight)->default_value(0, "0"),
      "weight of second derivatives, a squared --gradient-weight: smooths without pulling borders in")

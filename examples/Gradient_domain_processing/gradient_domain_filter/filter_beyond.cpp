@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "Failure.h"
 #include "filter_parts.h"
+#include "filter_signal.h"
 #include "normals.h"
 #include "seams.h"
 
@@ -13,70 +13,55 @@
 #include <CGAL/Gradient_domain_processing/filter_spectrum.h>
 #include <CGAL/Gradient_domain_processing/spectrum.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <numeric>
+#include <string>
+#include <type_traits>
+#include <vector>
 
 // The operations that are not of the paper: fair patches, bands of waves, harmonics.
 namespace {
 
 using namespace filter_mesh_impl;
 
+GDP::Spectral_filter low_pass(const Options& o, double wavelength)
+{
+  return o.window ? GDP::Spectral_filter::windowed_low_pass(wavelength, o.filter_degree, *o.window)
+                  : GDP::Spectral_filter::low_pass(wavelength, o.filter_order);
+}
+
+GDP::Spectral_filter band_pass(const Options& o, double a, double b)
+{
+  return o.window ? low_pass(o, (std::min)(a, b)).without(low_pass(o, (std::max)(a, b)))
+                  : GDP::Spectral_filter::band_pass(a, b, o.filter_order);
+}
+
 GDP::Spectral_filter spectral_filter(const Options& o)
 {
   const double a = o.wavelengths.front(), b = o.wavelengths.back();
   switch(o.operation)
   {
-    case Operation::LOW_PASS: return GDP::Spectral_filter::low_pass(a, o.filter_order);
-    case Operation::HIGH_PASS: return GDP::Spectral_filter::high_pass(a, o.filter_order);
-    case Operation::BAND_PASS: return GDP::Spectral_filter::band_pass(a, b, o.filter_order);
-    default: return GDP::Spectral_filter::band_stop(a, b, o.filter_order);
+    case Operation::LOW_PASS: return low_pass(o, a);
+    case Operation::HIGH_PASS: return low_pass(o, a).complement();
+    case Operation::BAND_PASS: return band_pass(o, a, b);
+    default: return band_pass(o, a, b).complement();
   }
 }
 
-// Filters what the options name as signal by filtered(values), for all of its channels.
-template <class Filtered>
-Error_code filter_signal(const Options& options, Mesh_file& file, const Filtered& filtered)
+template <class With_filter>
+Error_code filter_positions(Mesh_file& file, const With_filter& with_filter)
 {
-  if(options.signal == Signal_kind::NORMAL)
-  {
-    std::vector<Three_channels> normals = normal_signal(options, file);
-    const Error_code code = filtered(normals);
-    if(code == GDP::ok)
-      set_normal_signal(options, normals, file);
-    return code;
-  }
-  if(options.signal == Signal_kind::COLOR)
-  {
-    std::vector<Three_channels> colors = color_signal(options, file);
-    const Column* const column = file.vertex_columns.find("alpha");
-    std::vector<double> alpha = column ? column->values : std::vector<double>();
-    if(const Error_code code = filtered(colors))
-      return code;
-    if(const Error_code code = alpha.empty() ? GDP::ok : filtered(alpha))
-      return code;
-    set_color_signal(colors, alpha, file);
-    return GDP::ok;
-  }
-  if(options.signal == Signal_kind::PROPERTY)
-  {
-    Property_signal signal = property_signal(options, file);
-    if(signal.is_at_faces)
-      throw Failure(options.input_name(), "--operation " + options.operation_name
-                                            + " works on signals of vertices, and '" + options.signal_name
-                                            + "' is one of faces");
-    for(std::vector<double>& values : signal.values)
-      if(const Error_code code = filtered(values))
-        return code;
-    signal.set();
-    return GDP::ok;
-  }
   std::vector<Three_channels> positions;
   for(const Point& p : file.points)
     positions.push_back({{p.x(), p.y(), p.z()}});
-  if(const Error_code code = filtered(positions))
-    return code;
-  for(std::size_t v = 0; v < positions.size(); ++v)
-    file.points[v] = Point(positions[v][0], positions[v][1], positions[v][2]);
-  return GDP::ok;
+  return with_filter([&](const auto& filtered) -> Error_code {
+    if(const Error_code code = filtered(positions))
+      return code;
+    for(std::size_t v = 0; v < positions.size(); ++v)
+      file.points[v] = Point(positions[v][0], positions[v][1], positions[v][2]);
+    return GDP::ok;
+  });
 }
 
 } // namespace
@@ -110,12 +95,21 @@ Error_code filter_bands(const Options& options, Mesh_file& file, Stage_clock& cl
     .presmoothing_weight(options.presmoothing_weight);
   facts.solver = default_solver_name();
   const GDP::Spectral_filter filter = spectral_filter(options);
-  return in_region(input, facts, [&](const auto&... faces) {
-    return filter_signal(options, file, [&](auto& values) {
-      const Array_map<typename std::decay_t<decltype(values)>::value_type> map{&values};
-      return GDP::filter_spectrum(faces..., file.points, file.polygons, map, map, filter, np);
+  const auto with_filter = [&](const auto& body) {
+    return in_region(input, facts, [&](const auto&... faces) {
+      return body([&](auto& values) {
+        const Array_map<typename std::decay_t<decltype(values)>::value_type> map{&values};
+        return GDP::filter_spectrum(faces..., file.points, file.polygons, map, map, filter, np);
+      });
     });
-  });
+  };
+  switch(options.signal)
+  {
+    case Signal_kind::NORMAL: return filter_normals(options, file, with_filter);
+    case Signal_kind::COLOR: return filter_colors(options, file, with_filter);
+    case Signal_kind::PROPERTY: return filter_properties(options, file, with_filter);
+    default: return filter_positions(file, with_filter);
+  }
 }
 
 Error_code write_spectrum(const Options& options, Mesh_file& file, Stage_clock& clock, Filter_facts& facts)
@@ -142,8 +136,10 @@ Error_code write_spectrum(const Options& options, Mesh_file& file, Stage_clock& 
   Eigen::MatrixXd harmonics;
   const auto np = GDP::parameters::vertex_is_constrained_map(Array_map<char>{&input.is_constrained});
   facts.solver = default_solver_name();
-  if(const Error_code code =
-       GDP::spectrum(file.points, polygons, options.number_of_harmonics, eigenvalues, harmonics, np))
+  const auto found = [&](const auto& all) {
+    return GDP::spectrum(file.points, polygons, options.number_of_harmonics, eigenvalues, harmonics, all);
+  };
+  if(const Error_code code = options.spectral_shift ? found(np.spectral_shift(*options.spectral_shift)) : found(np))
     return code;
   facts.eigenvalues.assign(eigenvalues.data(), eigenvalues.data() + eigenvalues.size());
   for(int k = 0; k < int(harmonics.cols()); ++k)

@@ -8,6 +8,7 @@
 #include "choose_solver.h"
 #include "signal.h"
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -20,9 +21,11 @@ Error_code filter_with_best(const Options& options, Mesh_file& file, Stage_clock
 {
   if(!prefers_conjugate_gradients(options, file))
     return filter_with_default(options, file, clock, facts);
+  const std::size_t notices_before = clock.notices().size();
   const auto code = filter_with_cg(options, file, clock, facts);
   if(code != CGAL::Gradient_domain_processing::error_not_converged)
     return code;
+  clock.forget_notices_after(notices_before); // the next run tells them again
   clock.notice("conjugate gradients did not converge; the system is solved by Cholesky factorization");
   facts = Filter_facts();
   return filter_with_default(options, file, clock, facts);

@@ -8,6 +8,7 @@
 #define GRADIENT_DOMAIN_FILTER_FILTER_MESH_IMPL_H
 
 #include "filter_parts.h"
+#include "filter_signal.h"
 #include "normals.h"
 
 #include <CGAL/Gradient_domain_processing/enhance_details.h>
@@ -17,7 +18,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
+#include <type_traits>
+#include <vector>
 
 namespace filter_mesh_impl {
 
@@ -32,8 +36,9 @@ class Filter
   SparseLinearSolver m_solver; // shares its state with the one that works
 
 public:
-  Filter(const Options& options, Mesh_file& file, Stage_clock& clock, Filter_facts& facts)
-    : m_options(options), m_file(file), m_clock(clock), m_facts(facts), m_input(options, file) {}
+  Filter(const Options& options, Mesh_file& file, Stage_clock& clock, Filter_facts& facts,
+         const SparseLinearSolver& solver = SparseLinearSolver())
+    : m_options(options), m_file(file), m_clock(clock), m_facts(facts), m_input(options, file), m_solver(solver) {}
 
   SparseLinearSolver& solver() { return m_solver; }
 
@@ -85,11 +90,12 @@ private:
       return in_region(m_input, m_facts, [&](const auto&... faces) {
         return GDP::enhance_details(faces..., m_file.points, m_file.polygons, np);
       });
+    const auto with_filter = [&](const auto& body) { return with_solver(np, body); };
     switch(m_options.signal)
     {
-      case Signal_kind::NORMAL: return filter_normals(np);
-      case Signal_kind::COLOR: return filter_colors(np);
-      case Signal_kind::PROPERTY: return filter_properties(np);
+      case Signal_kind::NORMAL: return filter_normals(m_options, m_file, with_filter);
+      case Signal_kind::COLOR: return filter_colors(m_options, m_file, with_filter);
+      case Signal_kind::PROPERTY: return filter_properties(m_options, m_file, with_filter);
       default:
         return in_region(m_input, m_facts, [&](const auto&... faces) {
           return GDP::smooth(faces..., m_file.points, m_file.polygons, np);
@@ -108,68 +114,29 @@ private:
     });
   }
 
-  // Normals, colors and properties are reals here, whatever the file made of them. All share a factorization.
-  template <class NamedParameters, class Filtering>
-  Error_code with_solver(const NamedParameters& np, const Filtering& filtering)
+  // All channels share a factorization.
+  template <class NamedParameters, class Body>
+  Error_code with_solver(const NamedParameters& np, const Body& body)
   {
     return in_region(m_input, m_facts, [&](const auto&... faces) {
       auto solver = GDP::make_gradient_domain_solver(faces..., m_file.points, m_file.polygons, np);
-      return filtering([&](auto& values) {
+      return body([&](auto& values) {
         const Array_map<typename std::decay_t<decltype(values)>::value_type> map{&values};
-        return solver.filter(map, map, m_options.iterations);
+        const auto missing_before = number_of_missing(values);
+        const Error_code code = solver.filter(map, map, m_options.iterations);
+        if(const auto filled = missing_before - number_of_missing(values); code == GDP::ok && filled > 0)
+          m_clock.notice(std::to_string(filled) + (filled == 1 ? " missing value was" : " missing values were")
+                         + " filled in");
+        return code;
       });
     });
   }
 
-  template <class NamedParameters>
-  Error_code filter_normals(const NamedParameters& np)
+  static std::ptrdiff_t number_of_missing(const std::vector<double>& values)
   {
-    std::vector<Three_channels> normals = normal_signal(m_options, m_file);
-    return with_solver(np, [&](const auto& filtered) {
-      const Error_code code = filtered(normals);
-      if(code == GDP::ok)
-        set_normal_signal(m_options, normals, m_file);
-      return code;
-    });
+    return std::count_if(values.begin(), values.end(), [](double x) { return std::isnan(x); });
   }
-
-  template <class NamedParameters>
-  Error_code filter_colors(const NamedParameters& np)
-  {
-    std::vector<Three_channels> colors = color_signal(m_options, m_file);
-    const Column* const column = m_file.vertex_columns.find("alpha");
-    std::vector<double> alpha = column ? column->values : std::vector<double>();
-    return with_solver(np, [&](const auto& filtered) {
-      if(const Error_code code = filtered(colors))
-        return code;
-      if(const Error_code code = alpha.empty() ? GDP::ok : filtered(alpha))
-        return code;
-      set_color_signal(colors, alpha, m_file);
-      return GDP::ok;
-    });
-  }
-
-  template <class NamedParameters>
-  Error_code filter_properties(const NamedParameters& np)
-  {
-    Property_signal signal = property_signal(m_options, m_file);
-    return with_solver(np, [&](const auto& filtered) {
-      for(std::vector<double>& values : signal.values)
-      {
-        const auto missing = [&] {
-          return std::count_if(values.begin(), values.end(), [](double x) { return std::isnan(x); });
-        };
-        const auto before = missing();
-        if(const Error_code code = filtered(values))
-          return code;
-        if(const auto filled = before - missing(); filled > 0)
-          m_clock.notice(std::to_string(filled) + (filled == 1 ? " missing value was" : " missing values were")
-                         + " filled in");
-      }
-      signal.set();
-      return GDP::ok;
-    });
-  }
+  static std::ptrdiff_t number_of_missing(const std::vector<Three_channels>&) { return 0; }
 
   template <class NamedParameters>
   Error_code write_curvature(const NamedParameters& np)

@@ -8,21 +8,16 @@
 
 #include <CGAL/Gradient_domain_processing/Conjugate_gradient_solver_traits.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <string>
-
 using CGAL::Gradient_domain_processing::Error_code;
 
 typedef CGAL::Gradient_domain_processing::Conjugate_gradient_solver_traits<> Conjugate_gradients;
 
 Error_code filter_with_cg(const Options& options, Mesh_file& file, Stage_clock& clock, Filter_facts& facts)
 {
-  filter_mesh_impl::Filter<Conjugate_gradients> filter(options, file, clock, facts);
-  const std::size_t notices = clock.notices().size();
+  constexpr double tolerance = 1e-10;
+  filter_mesh_impl::Filter<Conjugate_gradients> filter(options, file, clock, facts, Conjugate_gradients(tolerance));
   const Error_code code = filter.run();
-  const bool has_converged = std::none_of(clock.notices().begin() + std::ptrdiff_t(notices), clock.notices().end(),
-                                          [](const std::string& s) { return s.find("Cholesky") != std::string::npos; });
+  const bool has_converged = filter.solver().error() <= tolerance; // else Cholesky took its place
   facts.solver = has_converged ? "cg" : filter_mesh_impl::default_solver_name();
   if(code == CGAL::Gradient_domain_processing::ok && has_converged)
     facts.iterations = double(filter.solver().iterations());

@@ -25,7 +25,6 @@
 #include <CGAL/Gradient_domain_processing/internal/filtering/fit_gradients.h>
 #include <CGAL/Gradient_domain_processing/internal/filtering/Surface_filter.h>
 
-#include <cmath>
 #include <cstddef>
 
 namespace CGAL {
@@ -62,7 +61,7 @@ template <class TriangleMesh, class SparseLinearSolver = Default_sparse_linear_s
 class Gradient_domain_solver : internal::Surface_filter<TriangleMesh, SparseLinearSolver>
 {
   typedef internal::Surface_filter<TriangleMesh, SparseLinearSolver> Base;
-  using Base::m_elements, Base::m_error, Base::m_filter, Base::m_has_face_outside;
+  using Base::m_elements, Base::m_error, Base::m_filter, Base::m_has_face_outside, Base::m_is_outside;
 
 public:
   typedef typename internal::Surface_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
@@ -281,13 +280,7 @@ public:
   }
 
   /// sets \f$ \lambda \f$, on all faces. Costs nothing.
-  Error_code set_gradient_scale(double lambda)
-  {
-    if(!std::isfinite(lambda))
-      return error_invalid_weight;
-    m_filter.system.set_scale(lambda);
-    return ok;
-  }
+  Error_code set_gradient_scale(double lambda) { return this->set_scale(lambda); }
 
   /// sets all weights as the named parameters say, also by vertex and face; one that is not named gets its default.
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -296,13 +289,22 @@ public:
     return m_error != ok ? m_error : checked(internal::read_weights(np, m_elements, m_filter));
   }
 
-  /// sets the constrained vertices and the border condition as the named parameters say.
+  /// sets the constrained vertices and the border condition as the named parameters say; the region stays.
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code set_constraints_from_parameters(const CGAL_NP_CLASS& np = parameters::default_values())
   {
     if(m_error == ok)
-      internal::read_constraints(np, m_elements, m_has_face_outside, m_filter);
+      internal::read_constraints(np, m_elements, m_is_outside, m_filter);
     return m_error;
+  }
+
+  /// sets another region, a range of `face_descriptor`, with constraints and border condition as the named parameters
+  /// say; weights and metric stay. Costs what new constraints do, of the region: the mesh is not read again.
+  /// \return `error_invalid_region` where a face is none of those the solver was made for
+  template <class FaceRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  Error_code set_region(const FaceRange& region, const CGAL_NP_CLASS& np = parameters::default_values())
+  {
+    return this->constrain_outside_of(region, np);
   }
 
   /// sets the metric to that of the embedding.
@@ -334,10 +336,7 @@ public:
   /// @{
 
   /// factorizes the system now rather than with the first solution.
-  Error_code factorize()
-  {
-    return m_error != ok ? m_error : m_filter.system.factorize(progress());
-  }
+  Error_code factorize() { return m_error != ok ? m_error : m_filter.system.factorize(progress()); }
 
   /*!
    * filters a signal: \f$ v = \lambda \nabla f \f$.

@@ -16,11 +16,12 @@
 
 #include <CGAL/Gradient_domain_processing/Gradient_domain_solver.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/target_field/Normal_fit.h>
+#include <CGAL/Gradient_domain_processing/internal/filtering/counted.h>
 #include <CGAL/Gradient_domain_processing/internal/filtering/move_positions.h>
 #include <CGAL/Gradient_domain_processing/internal/filtering/own_normals.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/offset_to_volumes.h>
 
-#include <string>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -60,7 +61,8 @@ Error_code fit_to_normals(Solver solver, PointMap point_map, VertexNormalMap nor
     if(kind == Normal_fit_kind::FACES && filter.encloses_volume()
        && read_position_options(np, false).moves_along_all_axes())
       if(const int count = offset_to_volumes(mesh, before, filter.system.parallel, filter.system.mesh.points))
-        solver.progress().notice(std::to_string(count) + " components enclose another volume than before");
+        solver.progress().notice(counted(std::size_t(count), "component encloses", "components enclose")
+                                 + " another volume than before");
     return end_of_pass();
   });
 }

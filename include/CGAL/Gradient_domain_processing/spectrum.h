@@ -18,8 +18,7 @@
 #include <CGAL/Gradient_domain_processing/parameters.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/matrices.h>
 #include <CGAL/Gradient_domain_processing/internal/spectrum/Laplace_spectrum.h>
-
-#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/Gradient_domain_processing/internal/spectrum/read_masks.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -45,20 +44,24 @@ Eigenpair_request eigenpair_request(int count, const NamedParameters& np)
   return request;
 }
 
-// `mark(is_constrained)` tells which numbers of vertices are constrained.
-template <class Surface, class NamedParameters, class Mark>
+// `region` is one, or none.
+template <class Surface, class NamedParameters, class... Region>
 Error_code spectrum_of_surface(const Surface& surface, int count, Eigen::VectorXd& eigenvalues,
-                               Eigen::MatrixXd& harmonics, const NamedParameters& np, const Mark& mark)
+                               Eigen::MatrixXd& harmonics, const NamedParameters& np, const Region&... region)
 {
   Matrix_input input;
-  if(const Error_code code = read_matrix_input(surface, np, input, true))
-    return code;
-  std::vector<char> is_constrained(std::size_t(index_range(input.vertex_index)), 0);
-  mark(is_constrained);
+  Spectrum_masks masks;
+  Error_code code = read_matrix_input(surface, np, input, true);
+  if constexpr(sizeof...(Region) > 0)
+    if(code == ok)
+      code = constrain_outside(region..., surface, np, input, masks);
+  if(code == ok)
+    code = read_masks(surface, np, input, masks);
   Eigenpairs pairs;
-  if(const Error_code code =
-       laplace_spectrum(input, is_constrained, parameter(np, CGAL::internal_np::embedding_measure, false),
-                        eigenpair_request(count, np), pairs))
+  if(code == ok)
+    code = laplace_spectrum(input, masks, parameter(np, CGAL::internal_np::embedding_measure, false),
+                            eigenpair_request(count, np), pairs);
+  if(code != ok)
     return code;
   eigenvalues.swap(pairs.values);
   harmonics.swap(pairs.vectors);
@@ -88,6 +91,18 @@ Error_code spectrum_of_surface(const Surface& surface, int count, Eigen::VectorX
  *        (where harmonics are zero), and
  *
  * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_value_weight_map}
+ *     \cgalParamDescription{a mask \f$ \alpha \f$, how much the values at a vertex count: \f$ M \f$ is that of \f$ \alpha
+ *                           \f$, linear between vertices, at least 0. Where all around a vertex it is 0, harmonics are}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with key `vertex_descriptor` and a number type as value}
+ *     \cgalParamDefault{1 everywhere}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_gradient_weight_map}
+ *     \cgalParamDescription{a mask \f$ \beta \f$, how well a face conducts: \f$ S_f \f$ is multiplied by it; at least 0.
+ *                           Where values count and no face conducts, every vertex has an eigenvalue 0 of its own}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with key `face_descriptor` and a number type as value}
+ *     \cgalParamDefault{1 everywhere}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{spectral_shift}
  *     \cgalParamDescription{the `count` eigenvalues nearest to this one, in 1 / squared lengths of the mesh, instead of
  *                           the lowest: \f$ (2 \pi / \ell)^2 \f$ for waves about as long as \f$ \ell \f$}
@@ -108,21 +123,27 @@ Error_code spectrum_of_surface(const Surface& surface, int count, Eigen::VectorX
  *
  * \return `ok`; or what is wrong, and then the results are as they were
  */
-template <class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS, class = internal::Enable_if_mesh<TriangleMesh> >
 Error_code spectrum(const TriangleMesh& tm, int count, Eigen::VectorXd& eigenvalues, Eigen::MatrixXd& harmonics,
                     const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  const auto mark = [&](std::vector<char>& is_constrained) {
-    if constexpr(internal::Has_parameter<CGAL::internal_np::vertex_is_constrained_t, CGAL_NP_CLASS>::value)
-    {
-      const auto index_map = CGAL::get_initialized_vertex_index_map(tm, np);
-      for(auto v : vertices(tm))
-        if(const std::size_t i = std::size_t(get(index_map, v)); i < is_constrained.size())
-          is_constrained[i] = bool(get(internal::parameter(np, CGAL::internal_np::vertex_is_constrained, 0), v));
-    }
-    (void)is_constrained;
-  };
-  return internal::spectrum_of_surface(tm, count, eigenvalues, harmonics, np, mark);
+  return internal::spectrum_of_surface(tm, count, eigenvalues, harmonics, np);
+}
+
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * does so in a region of the mesh: vertices with a face outside are constrained, harmonics are zero there.
+ *
+ * \param region a range of `face_descriptor`; `error_invalid_region` where one is none of the mesh
+ * \param tm, count, eigenvalues, harmonics, np as above
+ */
+template <class FaceRange, class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_mesh<TriangleMesh>, class = internal::Enable_if_range<const FaceRange> >
+Error_code spectrum(const FaceRange& region, const TriangleMesh& tm, int count, Eigen::VectorXd& eigenvalues,
+                    Eigen::MatrixXd& harmonics, const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return internal::spectrum_of_surface(tm, count, eigenvalues, harmonics, np, region);
 }
 
 /*!
@@ -136,18 +157,28 @@ Error_code spectrum(const TriangleMesh& tm, int count, Eigen::VectorXd& eigenval
  * \param count, eigenvalues, harmonics, np as above; property maps have indices, of type `std::size_t`, as keys
  */
 template <class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
-          class = internal::Enable_if_range<const PolygonRange> >
+          class = internal::Enable_if_range<const PointRange>, class = internal::Enable_if_range<const PolygonRange>,
+          class = void>
 Error_code spectrum(const PointRange& points, const PolygonRange& polygons, int count, Eigen::VectorXd& eigenvalues,
                     Eigen::MatrixXd& harmonics, const CGAL_NP_CLASS& np = parameters::default_values())
 {
   const internal::Polygon_soup<const PointRange, PolygonRange> soup{points, polygons};
-  const auto mark = [&](std::vector<char>& is_constrained) {
-    if constexpr(internal::Has_parameter<CGAL::internal_np::vertex_is_constrained_t, CGAL_NP_CLASS>::value)
-      for(std::size_t v = 0; v < is_constrained.size(); ++v)
-        is_constrained[v] = bool(get(internal::parameter(np, CGAL::internal_np::vertex_is_constrained, 0), v));
-    (void)is_constrained;
-  };
-  return internal::spectrum_of_surface(soup, count, eigenvalues, harmonics, np, mark);
+  return internal::spectrum_of_surface(soup, count, eigenvalues, harmonics, np);
+}
+
+/*!
+ * \ingroup PkgGradientDomainProcessingRef
+ *
+ * does so in a region of a soup, a range of indices of polygons.
+ */
+template <class FaceRange, class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          class = internal::Enable_if_range<const PointRange>, class = internal::Enable_if_range<const PolygonRange> >
+Error_code spectrum(const FaceRange& region, const PointRange& points, const PolygonRange& polygons, int count,
+                    Eigen::VectorXd& eigenvalues, Eigen::MatrixXd& harmonics,
+                    const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  const internal::Polygon_soup<const PointRange, PolygonRange> soup{points, polygons};
+  return internal::spectrum_of_surface(soup, count, eigenvalues, harmonics, np, region);
 }
 
 /*!

@@ -180,6 +180,8 @@ std::vector<std::string> not_kept(const Mesh_file& file, const Output_form& form
   if(can_replace(file, form) || (file.format == File_format::PLY && form.format == File_format::PLY))
     return lost;
   lost = file.others;
+  if(file.has_mark)
+    lost.push_back("the mark of UTF-8");
   const bool is_ply = form.format == File_format::PLY, is_stl = form.format == File_format::STL;
   if(!is_ply)
   {

@@ -29,6 +29,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -77,6 +78,12 @@ public:
   }
 
 private:
+  // Of a vertex.
+  auto may_get_detail_back() const
+  {
+    return [this](int v) { return !m_is_constrained[v] && !m_is_outlier[v] && !m_mesh.is_on_border[v]; };
+  }
+
   Error_code run_passes(Progress& progress, std::vector<Vec3>& points)
   {
     Smoothing_schedule smoothing(m_is_near_border, m_noise, mean_edge_length(points), m_reach);
@@ -143,22 +150,22 @@ private:
     const double weight = m_options.value_weight.value_or(denoising::value_weight);
     const double share = (std::min)(1., denoising::value_weight / weight);
     Surface_fairing fairing(m_mesh, m_rings, m_dual, share, m_parallel);
-    if(!is_smooth)
+    if(is_smooth)
+      fairing.take_all();
+    else
       fairing.keep_creases(last_faces.normals);
-    Face_geometry faces = last_faces;
+    std::optional<Face_geometry> own;
     for(int round = 0; round < (is_smooth ? denoising::fairing_rounds : 1); ++round)
     {
       if(!progress.go_on(1))
         return false;
-      if(round > 0)
-        faces = Face_geometry(m_mesh, m_dual, points, m_parallel);
+      const Face_geometry& faces = round == 0 ? last_faces : own.emplace(m_mesh, m_dual, points, m_parallel);
       const std::vector<Vec3> normals = vertex_normals(m_mesh, faces.areas, faces.normals, m_parallel);
       fairing([&](int v) { return !m_is_constrained[v]; }, normals, points);
       if(!is_smooth)
         continue;
       removed.measure(m_input, points, normals);
-      removed.give_back_detail([&](int v) { return may_get_detail_back(v); }, denoising::detail_threshold_of_fairing,
-                               normals, points);
+      removed.give_back_detail(may_get_detail_back(), denoising::detail_threshold_of_fairing, normals, points);
     }
     return true;
   }
@@ -170,8 +177,7 @@ private:
     removed.measure(m_input, points, normals);
     if(pass + 1 >= denoising::first_detail_pass || removed.correlation() > most_correlation())
     {
-      removed.give_back_detail([&](int v) { return may_get_detail_back(v); }, denoising::detail_threshold, normals,
-                               points);
+      removed.give_back_detail(may_get_detail_back(), denoising::detail_threshold, normals, points);
       removed.measure(m_input, points, normals);
     }
     return removed.correlation() > most_correlation();
@@ -317,8 +323,6 @@ private:
     return denoising::residual_correlation * (std::max)(m_noise.share, 0.4)
            * (1 + 2 * (std::max)(0., m_noise.level - 0.5));
   }
-
-  bool may_get_detail_back(int v) const { return !m_is_constrained[v] && !m_is_outlier[v] && !m_mesh.is_on_border[v]; }
 };
 
 } // namespace internal

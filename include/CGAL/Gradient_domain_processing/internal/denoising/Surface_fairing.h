@@ -37,7 +37,7 @@ class Surface_fairing
   std::vector<float> m_weights; // gamma c_v
 
 public:
-  // As a smooth surface. `share` of the weight is for who wants to stay nearer to the input.
+  // Of nothing yet. `share` of the weight is for who wants to stay nearer to the input.
   Surface_fairing(const Indexed_triangles& mesh, const Lists& rings, const Dual_graph& dual, double share,
                   bool parallel)
     : m_mesh(mesh)
@@ -45,8 +45,14 @@ public:
     , m_dual(dual)
     , m_parallel(parallel)
     , m_share(share)
-    , m_weights(mesh.points.size(), float(share * denoising::smooth_fairing))
+    , m_weights(mesh.points.size(), 0.f)
   {
+  }
+
+  // Of a smooth surface.
+  void take_all()
+  {
+    m_weights.assign(m_mesh.points.size(), float(m_share * denoising::smooth_fairing));
     keep_lines();
   }
 

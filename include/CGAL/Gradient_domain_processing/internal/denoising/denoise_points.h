@@ -18,6 +18,7 @@
 #include <CGAL/Gradient_domain_processing/internal/denoising/Denoising_options.h>
 #include <CGAL/Gradient_domain_processing/internal/denoising/Mesh_part.h>
 #include <CGAL/Gradient_domain_processing/internal/denoising/split_polygons.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/points.h>
 #include <CGAL/Gradient_domain_processing/visitor.h>
 
 #include <algorithm>
@@ -41,22 +42,6 @@ inline void merge(const Denoising_summary& part, Denoising_summary& whole)
   whole.number_of_iterations = (std::max)(whole.number_of_iterations, part.number_of_iterations);
 }
 
-// A power of two that brings the extent of points near one.
-inline int exponent_of_extent(const std::vector<Vec3>& points)
-{
-  double extent = 0;
-  for(const Vec3& p : points)
-    extent = (std::max)(extent, (p - points[0]).cwiseAbs().maxCoeff());
-  return extent > 0 ? std::ilogb(extent) : 0;
-}
-
-inline void scale_by_power(int exponent, std::vector<Vec3>& points)
-{
-  for(Vec3& p : points)
-    for(double& x : p)
-      x = std::ldexp(x, exponent);
-}
-
 // A part may be smaller than single precision, as the whole has it, can tell.
 inline Error_code denoise_parts(const Indexed_triangles& mesh, const std::vector<std::vector<int> >& parts,
                                 const std::vector<char>& is_constrained, const Denoising_options& options,
@@ -73,15 +58,14 @@ inline Error_code denoise_parts(const Indexed_triangles& mesh, const std::vector
       constrained.push_back(is_constrained[vertices[i]]);
       part.mesh.points[i] = points[vertices[i]];
     }
-    const int exponent = exponent_of_extent(part.mesh.points);
-    scale_by_power(-exponent, part.mesh.points);
+    normalize_extent(part.mesh);
     std::vector<Vec3> moved = part.mesh.points;
     Denoising_summary of_part;
     if(const Error_code code = Denoiser(part.mesh, constrained, options, parallel, moved, of_part)(progress, moved))
       return code;
-    scale_by_power(exponent, moved);
+    const double unit = std::ldexp(1., part.mesh.exponent - mesh.exponent);
     for(std::size_t i = 0; i < vertices.size(); ++i)
-      points[vertices[i]] = moved[i];
+      points[vertices[i]] = unit * moved[i];
     merge(of_part, summary);
   }
   return ok;

@@ -18,6 +18,7 @@
 #include <CGAL/Gradient_domain_processing/internal/energy/border_energy.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/border_energy_impl.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/target_field/Scaled_gradient.h>
+#include <CGAL/Gradient_domain_processing/internal/filtering/At_end.h>
 #include <CGAL/Gradient_domain_processing/internal/higher_order/hessian_energy.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/is_oriented.h>
 #include <CGAL/Gradient_domain_processing/internal/separate_compilation.h>
@@ -220,20 +221,10 @@ Error_code Filter::presmooth(double weight, Signal& signal)
 {
   if(weight == 0)
     return ok;
-  struct Other_coefficients
-  {
-    Linear_system& system;
-    Linear_system::Coefficients own;
-    Other_coefficients(Linear_system& s, Linear_system::Coefficients other)
-      : system(s)
-      , own(s.exchange_coefficients(std::move(other)))
-    {
-    }
-    ~Other_coefficients() { system.exchange_coefficients(std::move(own)); }
-  };
   Linear_system::Coefficients other;
   other.weights.gradient = weight;
-  const Other_coefficients scope(system, std::move(other));
+  Linear_system::Coefficients own = system.exchange_coefficients(std::move(other));
+  const At_end scope([&] { system.exchange_coefficients(std::move(own)); });
   Signal change;
   if(const Error_code code =
        system.solve(Scaled_difference_of_vertices{mesh(), system.weights(), signal}, *m_progress, change))

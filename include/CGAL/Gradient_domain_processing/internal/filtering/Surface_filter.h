@@ -13,10 +13,13 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_SURFACE_FILTER_H
 
 #include <CGAL/Gradient_domain_processing/visitor.h>
+#include <CGAL/Gradient_domain_processing/internal/filtering/chosen_region.h>
+#include <CGAL/Gradient_domain_processing/internal/filtering/counted.h>
 #include <CGAL/Gradient_domain_processing/internal/filtering/prepare_filter.h>
 
+#include <cmath>
+#include <cstddef>
 #include <memory>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -32,7 +35,8 @@ protected:
   std::unique_ptr<Surface_progress<Surface> > m_progress; // the filter has its address
   Surface_elements<Surface> m_elements;
   Filter m_filter;
-  std::vector<char> m_has_face_outside; // by vertex; none: the whole surface
+  std::vector<char> m_has_face_outside; // by vertex, of what was read; none: the whole surface
+  std::vector<char> m_is_outside;       // these, and those of the region that was set last
   int m_number_of_welded_vertices = 0;
   bool m_may_values_be_missing = false;
   Error_code m_error = ok;
@@ -59,10 +63,12 @@ protected:
       m_number_of_welded_vertices = reading.number_of_welded_vertices;
       m_error = checked(prepare_filter(surface, np, reading, m_error, m_elements, m_has_face_outside, m_filter));
     }
+    m_is_outside = m_has_face_outside;
     if(m_error == ok)
       m_error = checked(set_metric(np, m_elements, m_filter));
     if(m_error == ok && m_number_of_welded_vertices > 0)
-      m_progress->notice(std::to_string(m_number_of_welded_vertices) + " vertices at seams were welded to others");
+      m_progress->notice(counted(std::size_t(m_number_of_welded_vertices), "vertex at a seam was welded to another",
+                                 "vertices at seams were welded to others"));
   }
 
   template <class Set>
@@ -73,6 +79,27 @@ protected:
     Energy_weights weights = m_filter.system.weights();
     set(weights, weight);
     m_filter.system.set_weights(weights);
+    return ok;
+  }
+
+  Error_code set_scale(double lambda)
+  {
+    if(!std::isfinite(lambda))
+      return error_invalid_weight;
+    m_filter.system.set_scale(lambda);
+    return ok;
+  }
+
+  template <class FaceRange, class NamedParameters>
+  Error_code constrain_outside_of(const FaceRange& region, const NamedParameters& np)
+  {
+    if(m_error != ok)
+      return m_error;
+    std::vector<char> is_outside = m_has_face_outside;
+    if(const Error_code code = choose_region(region, m_elements.faces, m_filter.mesh(), is_outside))
+      return code;
+    read_constraints(np, m_elements, is_outside, m_filter);
+    m_is_outside.swap(is_outside);
     return ok;
   }
 

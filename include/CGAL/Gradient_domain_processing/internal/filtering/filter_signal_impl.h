@@ -14,6 +14,7 @@
 
 #include <CGAL/Gradient_domain_processing/internal/filtering/filter_signal.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/target_field/Scaled_gradient.h>
+#include <CGAL/Gradient_domain_processing/internal/filtering/At_end.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,23 +48,14 @@ inline Energy_weights without_gradients_at(const std::vector<char>& is_missing, 
   return weights;
 }
 
-// Gives the constraints and weights back.
-struct Restored_system
-{
-  Linear_system& system;
-  std::vector<char> is_constrained;
-  Energy_weights weights;
-  ~Restored_system()
-  {
-    system.set_constrained(std::move(is_constrained));
-    system.set_weights(std::move(weights));
-  }
-};
-
 template <class Void = void>
 Error_code fill_missing_values(const std::vector<char>& is_missing, Filter& filter, Signal& signal)
 {
-  const Restored_system scope{filter.system, filter.system.is_constrained, filter.system.weights()};
+  Linear_system& system = filter.system;
+  const At_end scope([&system, own_constrained = system.is_constrained, own_weights = system.weights()] {
+    system.set_constrained(own_constrained);
+    system.set_weights(own_weights);
+  });
   const Indexed_triangles& mesh = filter.mesh();
   // where one side of a seam has a value, the others take it
   std::vector<int> number_of_values(mesh.points.size(), 0);
@@ -111,17 +103,12 @@ Error_code filter_repeatedly(int number_of_iterations, Filter& filter, Signal& s
 template <class Void>
 Error_code fill_and_filter(int number_of_iterations, Filter& filter, Signal& signal)
 {
-  struct Restored_weights
-  {
-    Linear_system& system;
-    Energy_weights own;
-    ~Restored_weights() { system.set_weights(std::move(own)); }
-  };
-  const Restored_weights scope{filter.system, filter.system.weights()};
+  const Energy_weights own = filter.system.weights();
+  const At_end scope([&] { filter.system.set_weights(own); });
   const std::vector<char> is_missing = missing_rows(signal);
   if(const Error_code code = fill_missing_values(is_missing, filter, signal))
     return code;
-  filter.system.set_weights(without_gradients_at(is_missing, filter.mesh(), scope.own));
+  filter.system.set_weights(without_gradients_at(is_missing, filter.mesh(), own));
   return filter_repeatedly(number_of_iterations, filter, signal);
 }
 

@@ -13,6 +13,7 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FILTER_SPECTRUM_OF_SIGNAL_H
 
 #include <CGAL/Gradient_domain_processing/internal/filtering/Filter.h>
+#include <CGAL/Gradient_domain_processing/internal/filtering/write_back.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/signals.h>
 #include <CGAL/Gradient_domain_processing/internal/spectrum/Spectral_system.h>
 
@@ -61,12 +62,9 @@ Error_code filter_spectrum_of_signal(InMap in, OutMap out, std::unique_ptr<Any_l
                                [&](int v, int i) { change.row(v) = values.row(i) - part.row(v); });
   }
   filter.add(change, signal);
-  if(const Error_code code = filter.ready())
-    return code;
-  Stage_scope stage(filter.progress(), Stage::WRITE);
-  return write_signal(
-    in, signal, out, elements, mesh,
-    [&](int v) { return mesh.corners.size(v) > 0 && !filter.system.is_constrained[std::size_t(v)]; }, filter.culprit);
+  return write_back(in, signal, out, elements, filter, [&](int v) {
+    return mesh.corners.size(v) > 0 && !filter.system.is_constrained[std::size_t(v)];
+  });
 }
 
 } // namespace internal

@@ -13,6 +13,7 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_FILTERING_FILTER_SPECTRUM_OF_SIGNAL_IMPL_H
 
 #include <CGAL/Gradient_domain_processing/internal/filtering/filter_spectrum_of_signal.h>
+#include <CGAL/Gradient_domain_processing/internal/filtering/At_end.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/connected_components.h>
 #include <CGAL/Gradient_domain_processing/internal/separate_compilation.h>
 
@@ -40,27 +41,19 @@ CGAL_GDP_INLINE Error_code subtract_harmonic_extension(Filter& filter, Signal& s
   for(std::size_t v = 0; v < constrained.size(); ++v)
     if(floats[std::size_t(components.of_vertex[v])])
       constrained[v] = 1;
-  struct Scope
-  {
-    Filter& filter;
-    Border_condition of_border, of_lines; // what is a curve of its own counts as fixed
-    std::vector<char> is_constrained;
-    Linear_system::Coefficients own;
-    ~Scope()
-    {
-      filter.border_condition = of_border;
-      filter.line_condition = of_lines;
-      filter.system.set_constrained(std::move(is_constrained));
-      filter.system.exchange_coefficients(std::move(own));
-    }
-  };
   Linear_system::Coefficients of_extension;
   of_extension.metrics = filter.system.metrics();
   of_extension.weights.value = 0;
   of_extension.weights.gradient = 1;
-  const Scope scope{filter, filter.border_condition, filter.line_condition, own_constrained,
-                    filter.system.exchange_coefficients(std::move(of_extension))};
-  filter.border_condition = filter.line_condition = Border_condition::FREE;
+  const Border_condition of_border = filter.border_condition, of_lines = filter.line_condition;
+  Linear_system::Coefficients own = filter.system.exchange_coefficients(std::move(of_extension));
+  const At_end scope([&] {
+    filter.border_condition = of_border;
+    filter.line_condition = of_lines;
+    filter.system.set_constrained(own_constrained);
+    filter.system.exchange_coefficients(std::move(own));
+  });
+  filter.border_condition = filter.line_condition = Border_condition::FREE; // what is a curve of its own is fixed here
   filter.system.set_constrained(constrained);
   Signal change;
   if(const Error_code code = filter.solve_by_vertex(signal, change))

@@ -14,11 +14,13 @@
 
 #include <CGAL/Gradient_domain_processing/parameters.h>
 #include <CGAL/Gradient_domain_processing/internal/filtering/Filter.h>
+#include <CGAL/Gradient_domain_processing/internal/filtering/counted.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/point_map.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/restore_volumes.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/signals.h>
 
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <vector>
@@ -91,7 +93,8 @@ Error_code move_positions(Solver& solver, PointMap point_map, const NamedParamet
 
   if(std::isfinite(options.max_displacement))
     if(const int count = limit_displacements(before, options.max_displacement / mesh.unit(), mesh))
-      solver.progress().notice(std::to_string(count) + " vertices were held back at the largest displacement");
+      solver.progress().notice(counted(std::size_t(count), "vertex was", "vertices were")
+                               + " held back at the largest displacement");
   if(mesh.points == before)
     solver.progress().notice("no vertex was moved");
   if(const Error_code code = filter.ready())

@@ -19,16 +19,23 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// The last stage: a result goes to the caller's map. Values that are constrained are copied from `in`, to the bit.
-template <class InMap, class OutMap, class Surface>
+// The last stage: a result goes to the caller's map. Values of vertices that are not moved are copied from `in`, to the
+// bit.
+template <class InMap, class OutMap, class Surface, class Is_moved>
 Error_code write_back(InMap in, const Signal& signal, OutMap out, const Surface_elements<Surface>& elements,
-                      Filter& filter)
+                      Filter& filter, const Is_moved& is_moved)
 {
   if(const Error_code code = filter.ready())
     return code;
   Stage_scope stage(filter.progress(), Stage::WRITE);
-  return write_signal(
-    in, signal, out, elements, filter.mesh(), [&](int v) { return filter.is_moved(v); }, filter.culprit);
+  return write_signal(in, signal, out, elements, filter.mesh(), is_moved, filter.culprit);
+}
+
+template <class InMap, class OutMap, class Surface>
+Error_code write_back(InMap in, const Signal& signal, OutMap out, const Surface_elements<Surface>& elements,
+                      Filter& filter)
+{
+  return write_back(in, signal, out, elements, filter, [&](int v) { return filter.is_moved(v); });
 }
 
 } // namespace internal

@@ -13,34 +13,38 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_IS_ORIENTED_IMPL_H
 
 #include <CGAL/Gradient_domain_processing/internal/mesh/is_oriented.h>
-#include <CGAL/Gradient_domain_processing/internal/mesh/connected_components.h>
 #include <CGAL/Gradient_domain_processing/internal/separate_compilation.h>
 
-#include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
+// Every edge is gone along as often in one direction as in the other.
 CGAL_GDP_INLINE bool is_oriented(const Indexed_triangles& mesh)
 {
-  struct Sums
+  std::vector<int> balance(mesh.points.size(), 0); // at the other ends of a vertex's edges
+  for(int v = 0; v < mesh.number_of_vertices(); ++v)
   {
-    Vec3 area_vector = Vec3::Zero();
-    double area = 0;
-  };
-  const Components components = connected_components(mesh);
-  std::vector<Sums> sums(std::size_t(components.count));
-  for(int f = 0; f < mesh.number_of_triangles(); ++f)
-  {
-    const Vec3 area_vector = mesh.area_vector(f);
-    Sums& s = sums[std::size_t(components.of_vertex[std::size_t(mesh.triangles[std::size_t(f)][0])])];
-    s.area_vector += area_vector;
-    s.area += area_vector.norm();
+    const auto for_each_edge = [&](const auto& visit) {
+      for(const int* corner = mesh.corners.begin(v); corner != mesh.corners.end(v); ++corner)
+      {
+        const auto& t = mesh.triangles[std::size_t(*corner / 3)];
+        const std::size_t i = std::size_t(*corner % 3);
+        visit(std::size_t(t[(i + 1) % 3]), 1);
+        visit(std::size_t(t[(i + 2) % 3]), -1);
+      }
+    };
+    bool is_even = true;
+    for_each_edge([&](std::size_t end, int direction) { balance[end] += direction; });
+    for_each_edge([&](std::size_t end, int) { is_even = is_even && std::exchange(balance[end], 0) == 0; });
+    if(!is_even)
+      return false;
   }
-  return std::all_of(sums.begin(), sums.end(), [](const Sums& s) { return s.area_vector.norm() <= 1e-6 * s.area; });
+  return true;
 }
 
 } // namespace internal

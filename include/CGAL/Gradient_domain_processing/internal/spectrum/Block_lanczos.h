@@ -41,7 +41,7 @@ struct Eigenpairs
 // is made orthogonal to all before.
 class Block_lanczos
 {
-  static constexpr int block_size = 2;
+  static constexpr int block_size = 3;
 
   const Eigen::SparseMatrix<double>& m_b;
   const Shifted_factor& m_factor;
@@ -83,6 +83,7 @@ public:
   {
     const int next = m_columns, width = next - m_size, first = (std::max)(0, m_size - block_size);
     Eigen::MatrixXd image = m_factor.solve(m_b * m_basis.middleCols(m_size, width));
+    const Eigen::VectorXd norms = norms_of(image);
     // it has no part along earlier blocks but for rounding, which append() takes out
     const Eigen::MatrixXd coefficients = project(image, first);
     m_projected.conservativeResize(next, next);
@@ -92,6 +93,11 @@ public:
     m_projected.bottomRightCorner(width, next - first) = coefficients.transpose();
     m_size = next;
     const Eigen::MatrixXd weighted = m_b * image;
+    // where the basis is closed under the operator, rounding is left, which is no direction to go on in
+    const Eigen::VectorXd left = norms_of(image);
+    for(Eigen::Index k = 0; k < width; ++k)
+      if(!(left[k] > 1e-13 * norms[k]))
+        set_random(image.col(k));
     append(image);
     m_coupling = m_basis.middleCols(m_size, m_columns - m_size).transpose() * weighted;
   }
@@ -131,26 +137,26 @@ private:
       v[i] = double(m_random()) / 2147483648. - 1;
   }
 
-  // Takes what is in the span of the basis, or of the columns from one on, and answers the coefficients. Eigen's
-  // products of matrices would copy the basis; what is done here fits in the cache, some rows at a time.
+  // Takes what is in the span of the basis, or of the columns from one on, and answers the coefficients. A product of
+  // matrices would copy the basis; products with vectors, some rows at a time that stay in the cache, do not.
   Eigen::MatrixXd project(Eigen::MatrixXd& w, int first = 0) const
   {
-    constexpr Eigen::Index rows = 1024;
+    constexpr Eigen::Index rows = 512;
     const Eigen::MatrixXd image = m_b * w;
     Eigen::MatrixXd coefficients = Eigen::MatrixXd::Zero(m_columns - first, w.cols());
     for(Eigen::Index row = 0; row < w.rows(); row += rows)
     {
       const Eigen::Index size = (std::min)(rows, w.rows() - row);
-      for(Eigen::Index j = 0; j < coefficients.rows(); ++j)
-        for(Eigen::Index k = 0; k < w.cols(); ++k)
-          coefficients(j, k) += m_basis.col(first + j).segment(row, size).dot(image.col(k).segment(row, size));
+      const auto part = m_basis.block(row, first, size, coefficients.rows());
+      for(Eigen::Index k = 0; k < w.cols(); ++k)
+        coefficients.col(k).noalias() += part.transpose() * image.col(k).segment(row, size);
     }
     for(Eigen::Index row = 0; row < w.rows(); row += rows)
     {
       const Eigen::Index size = (std::min)(rows, w.rows() - row);
-      for(Eigen::Index j = 0; j < coefficients.rows(); ++j)
-        for(Eigen::Index k = 0; k < w.cols(); ++k)
-          w.col(k).segment(row, size) -= coefficients(j, k) * m_basis.col(first + j).segment(row, size);
+      const auto part = m_basis.block(row, first, size, coefficients.rows());
+      for(Eigen::Index k = 0; k < w.cols(); ++k)
+        w.col(k).segment(row, size).noalias() -= part * coefficients.col(k);
     }
     return coefficients;
   }
@@ -225,9 +231,16 @@ private:
     w.conservativeResize(Eigen::NoChange, kept);
   }
 
-  double norm(const Eigen::MatrixXd& v) const
+  double norm(const Eigen::MatrixXd& v) const { return norms_of(v)[0]; }
+
+  // Of the columns.
+  Eigen::VectorXd norms_of(const Eigen::MatrixXd& w) const
   {
-    return std::sqrt((std::max)(0., v.col(0).dot(Eigen::VectorXd(m_b * v.col(0)))));
+    const Eigen::MatrixXd image = m_b * w;
+    Eigen::VectorXd norms(w.cols());
+    for(Eigen::Index k = 0; k < w.cols(); ++k)
+      norms[k] = std::sqrt((std::max)(0., w.col(k).dot(image.col(k))));
+    return norms;
   }
 };
 

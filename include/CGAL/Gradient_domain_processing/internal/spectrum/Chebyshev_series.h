@@ -53,6 +53,14 @@ public:
     return result;
   }
 
+  // Another around the same center.
+  void add(const Chebyshev_series& other)
+  {
+    m_coefficients.resize((std::max)(m_coefficients.size(), other.m_coefficients.size()), 0.);
+    for(std::size_t k = 0; k < other.m_coefficients.size(); ++k)
+      m_coefficients[k] += other.m_coefficients[k];
+  }
+
   double operator()(double mu) const { return at((mu - m_center) / (mu + m_center)); }
 
   // By Clenshaw's recurrence.
@@ -66,6 +74,17 @@ public:
       b = next;
     }
     return m_coefficients[0] + t * b - last;
+  }
+
+  // How much the result may change, to first order, relative to the signal, if every solution is off by a part of its
+  // vector: 2 of it at first, 4 later, and a deviation goes on as a Chebyshev polynomial of the second kind, which is
+  // at most as large as its degree and one: 2 k^2 at degree k.
+  double sensitivity() const
+  {
+    double sum = 0;
+    for(std::size_t k = 1; k < m_coefficients.size(); ++k)
+      sum += 2 * double(k) * double(k) * std::abs(m_coefficients[k]);
+    return sum;
   }
 
   // Adds a constant, so that this is the value at mu = 0.

@@ -16,6 +16,7 @@
 #include <CGAL/Gradient_domain_processing/internal/energy/matrices.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/prolongation.h>
 #include <CGAL/Gradient_domain_processing/internal/energy/second_order.h>
+#include <CGAL/Gradient_domain_processing/internal/filtering/read_parameters.h>
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/ordering/elimination_order.h>
 #include <CGAL/Gradient_domain_processing/internal/spectrum/eigenpairs.h>
 
@@ -37,6 +38,13 @@ struct Eigenpair_request
   bool is_lowest = true;
   double shift = 0; // else
   bool parallel = true;
+};
+
+// By the numbers of vertices and faces; no weights: one everywhere.
+struct Spectrum_masks
+{
+  std::vector<char> is_constrained;
+  std::vector<double> value_weight, gradient_weight;
 };
 
 inline bool are_finite_and_square(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& b)
@@ -97,27 +105,49 @@ inline Degrees_of_freedom free_numbers(const Matrix_input& input, const std::vec
   return numbered(std::move(order), is_constrained.size());
 }
 
-// S and M as the metrics have them; or, if areas shall be those of the embedding, S with its triangles' part divided by
-// what the metric makes of their areas, and M of the embedding.
-inline Error_code laplace_spectrum(Matrix_input& input, const std::vector<char>& is_constrained,
-                                   bool has_embedding_measure, const Eigenpair_request& request, Eigenpairs& result)
+// Of the masks, at the vertices and triangles of the mesh.
+inline void set_weights(const Matrix_input& input, const Spectrum_masks& masks, Energy_weights& of_values,
+                        Energy_weights& of_gradients)
 {
-  const Degrees_of_freedom all = numbered_by_index(input);
-  Energy_weights of_values, of_gradients;
   of_gradients.value = 0;
   of_gradients.gradient = 1;
+  const Indexed_triangles& mesh = input.mesh;
+  if(!masks.value_weight.empty())
+  {
+    std::vector<double> weights;
+    for(int index : input.vertex_index)
+      weights.push_back(masks.value_weight[std::size_t(index)]);
+    of_values.value_at_vertex = at_vertices(mesh, std::move(weights));
+  }
+  if(!masks.gradient_weight.empty())
+    for(std::size_t f = 0; f < mesh.triangles.size(); ++f)
+      of_gradients.gradient_at_triangle.push_back(
+        masks.gradient_weight[std::size_t(input.face_index[std::size_t(mesh.face_of(int(f)))])]);
+}
+
+// S and M as the metrics and masks have them; or, if areas shall be those of the embedding, S with its triangles' part
+// divided by what the metric makes of their areas, and M of the embedding.
+inline Error_code laplace_spectrum(Matrix_input& input, const Spectrum_masks& masks, bool has_embedding_measure,
+                                   const Eigenpair_request& request, Eigenpairs& result)
+{
+  Energy_weights of_values, of_gradients;
+  set_weights(input, masks, of_values, of_gradients);
+  const Degrees_of_freedom all = numbered_by_index(input);
   Triangle_metrics metrics_of_values = input.metrics;
   if(has_embedding_measure)
+  {
+    of_gradients.gradient_at_triangle.resize(input.mesh.triangles.size(), 1.);
     for(std::size_t f = 0; f < input.mesh.triangles.size(); ++f)
     {
       const Triangle_metric embedding =
         Triangle_metrics()(input.mesh, int(f)).scaled(input.mesh.unit() * input.mesh.unit());
-      of_gradients.gradient_at_triangle.push_back(embedding.area() / input.metrics.given[f].area());
+      of_gradients.gradient_at_triangle[f] *= embedding.area() / input.metrics.given[f].area();
       metrics_of_values.given[f] = embedding;
     }
+  }
   const Eigen::SparseMatrix<double> stiffness = assembled_matrix(input, input.metrics, of_gradients, all);
   const Eigen::SparseMatrix<double> mass = assembled_matrix(input, metrics_of_values, of_values, all);
-  return restricted_spectrum(stiffness, mass, free_numbers(input, is_constrained, mass), request, result);
+  return restricted_spectrum(stiffness, mass, free_numbers(input, masks.is_constrained, mass), request, result);
 }
 
 } // namespace internal

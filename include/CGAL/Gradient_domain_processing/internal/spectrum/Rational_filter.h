@@ -57,6 +57,15 @@ public:
     return sum;
   }
 
+  // How much the result may change at most, relative to the signal, for each relative error of a solution.
+  double sensitivity() const
+  {
+    double sum = 0;
+    for(const Chebyshev_series& s : m_series)
+      sum += s.sensitivity();
+    return sum;
+  }
+
   int degree() const
   {
     int sum = 0;
@@ -186,17 +195,25 @@ private:
     return most;
   }
 
-  // Series of one center are one.
   Rational_filter sum_with(double own, const Rational_filter& other, double others) const
   {
     Rational_filter result;
     result.m_constant = own * m_constant + others * other.m_constant;
     result.m_error_bound = m_error_bound + other.m_error_bound;
     for(const Chebyshev_series& s : m_series)
-      result.m_series.push_back(s.times(own));
+      result.add(s.times(own));
     for(const Chebyshev_series& s : other.m_series)
-      result.m_series.push_back(s.times(others));
+      result.add(s.times(others));
     return result;
+  }
+
+  // Series of one center are one, for one factorization.
+  void add(const Chebyshev_series& series)
+  {
+    for(Chebyshev_series& s : m_series)
+      if(s.center() == series.center())
+        return s.add(series);
+    m_series.push_back(series);
   }
 };
 

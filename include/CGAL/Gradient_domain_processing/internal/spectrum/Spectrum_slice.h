@@ -88,7 +88,7 @@ public:
     right = (std::min)(right, above());
     if(!m_lanczos && left + right > 0)
       m_lanczos = std::make_unique<Block_lanczos>(m_b, *m_factor, m_sigma, tolerance);
-    while((number_on_left() < left || number_on_right() < right) && can_grow())
+    while((number_on_left() < left || number_on_right() < right) && can_grow() && !is_far())
     {
       // a multiple eigenvalue may fill it, a few copies at a time; to look often costs a dense problem each time
       const int step = (std::max)(12, m_lanczos->size() / 4), goal = (std::max)(m_lanczos->size() + step, left + right);
@@ -97,6 +97,20 @@ public:
       list_converged();
     }
   }
+
+  // Whether all eigenvalues are on the right, and so far away for how near they are to each other that none has been
+  // told from the others; but for what rounding leaves of them.
+  bool is_far() const
+  {
+    if(below() > 0 || !m_right.empty() || m_pairs.values.size() < 2 || m_pairs.values[0] <= m_sigma)
+      return false;
+    const double distance = m_pairs.values[0] - m_sigma;
+    return distance > 100 * spread() && spread() > 1e-12 * distance;
+  }
+
+  // About: no eigenvalue is known to be lower, and half of what was found is so far above it.
+  double lowest() const { return m_pairs.values[0]; }
+  double spread() const { return m_pairs.values[m_pairs.values.size() / 2] - m_pairs.values[0]; }
 
   // Those from so many on the left to so many on the right, increasing, as columns.
   void take(int left, int right, std::vector<double>& values, Eigen::MatrixXd& vectors) const

@@ -60,12 +60,14 @@ class Nearest_eigenpairs
   std::vector<Slice_handle> m_slices; // by shift
 
 public:
-  Nearest_eigenpairs(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& b, bool parallel)
+  // The spacing is about what is between two eigenvalues; 0: not known.
+  Nearest_eigenpairs(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& b, bool parallel,
+                     double spacing = 0)
     : m_a(a)
     , m_b(b)
     , m_size(int(a.rows()))
     , m_parallel(parallel)
-    , m_spacing(mean_spacing())
+    , m_spacing(spacing > 0 ? spacing : mean_spacing())
   {
   }
 
@@ -106,11 +108,23 @@ private:
     Spectrum_slice& first = m_slices[0]->spectrum;
     const int most = (std::min)(count + 2, slice_size);
     first.find(first.above() > 0 ? most / 2 + 1 : most, first.below() > 0 ? most / 2 + 1 : most);
+    if(first.is_far())
+      return find_around(first.lowest(), 2 * first.spread() / first.size(), count, result);
     while(number_within_reach() < count)
       if(const Error_code code = extend(count))
         return code;
     collect(count, result);
     return ok;
+  }
+
+  // What is narrow far away from zero is wide around it: the lowest of A - mu B, where mu is among them.
+  Error_code find_around(double mu, double spacing, int count, Eigenpairs& result)
+  {
+    m_slices.clear();
+    const Eigen::SparseMatrix<double> moved = m_a - mu * m_b;
+    const Error_code code = Nearest_eigenpairs(moved, m_b, m_parallel, spacing).find_lowest(count, result);
+    result.values.array() += mu;
+    return code;
   }
 
   bool has_bottom() const { return m_slices.front()->spectrum.below() == 0; }
@@ -469,12 +483,18 @@ inline Error_code lowest_eigenpairs(const Eigen::SparseMatrix<double>& a, const 
   return count > 0 && a.rows() > 0 ? Nearest_eigenpairs(a, b, parallel).find_lowest(count, result) : ok;
 }
 
+// Around zero, whatever the shift: what is near is told apart by how near it is.
 inline Error_code nearest_eigenpairs(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& b,
                                      double shift, int count, Eigenpairs& result, bool parallel = true)
 {
   result.values.resize(0);
   result.vectors.resize(a.rows(), 0);
-  return count > 0 && a.rows() > 0 ? Nearest_eigenpairs(a, b, parallel).find_nearest(shift, count, result) : ok;
+  if(count <= 0 || a.rows() == 0)
+    return ok;
+  const Eigen::SparseMatrix<double> moved = a - shift * b;
+  const Error_code code = Nearest_eigenpairs(moved, b, parallel).find_nearest(0, count, result);
+  result.values.array() += shift;
+  return code;
 }
 
 } // namespace internal
