@@ -17,6 +17,10 @@
 #include "gradient_domain_filter/signal.h"
 #include "gradient_domain_filter/why_unchanged.h"
 
+#ifdef GRADIENT_DOMAIN_FILTER_HAS_PICTURES
+#include "gradient_domain_viewer/draw_picture.h"
+#endif
+
 #include <exception>
 #include <functional>
 #include <iostream>
@@ -115,6 +119,26 @@ void say_all(const Options& options, const Report& report, Stage_clock& clock)
     say(clock, options.output_name() + ": not kept: " + joined(report.not_kept));
 }
 
+// Of the surface before, and as it is in the file.
+std::string picture([[maybe_unused]] const std::vector<Point>& before, [[maybe_unused]] const Mesh_file& file)
+{
+#ifdef GRADIENT_DOMAIN_FILTER_HAS_PICTURES
+  const std::vector<Vector> normals = vertex_normals(before, file.polygons);
+  std::vector<double> displacements;
+  for(std::size_t v = 0; v < before.size(); ++v)
+    displacements.push_back((file.points[v] - before[v]) * normals[v]);
+  return picture_of(before, file.points, file.polygons, displacements);
+#else
+  return std::string(); // refused with the options
+#endif
+}
+
+// Where there is a name.
+std::unique_ptr<Output_file> optional_file(const std::string& name)
+{
+  return name.empty() ? nullptr : std::make_unique<Output_file>(name);
+}
+
 std::string eigenvalue_table(const std::vector<double>& eigenvalues)
 {
   std::ostringstream table;
@@ -136,12 +160,13 @@ void run(const Options& options)
 #endif
   Stage_clock clock(!options.is_quiet && is_terminal());
   Output_file output(options.output);
-  std::unique_ptr<Output_file> report_file;
-  if(!options.report.empty())
-    report_file = std::make_unique<Output_file>(options.report);
-  std::unique_ptr<Output_file> eigenvalue_file;
-  if(!options.eigenvalues.empty())
-    eigenvalue_file = std::make_unique<Output_file>(options.eigenvalues);
+  const std::unique_ptr<Output_file> report_file = optional_file(options.report),
+                                     eigenvalue_file = optional_file(options.eigenvalues),
+                                     picture_file = optional_file(options.picture);
+#ifdef GRADIENT_DOMAIN_FILTER_HAS_PICTURES
+  if(picture_file)
+    check_screen();
+#endif
 
   Mesh_file file;
   Report report;
@@ -155,7 +180,10 @@ void run(const Options& options)
     if(!options.is_quiet || report_file)
       report.survey = survey(file.points, file.polygons, options.has_metric());
   }
+  const std::vector<Point> before = picture_file ? file.points : std::vector<Point>();
   filter(options, form, file, clock, report);
+  if(picture_file)
+    picture_file->write(picture(before, file));
   {
     Timed_stage stage(clock, "write");
     const std::size_t size = file.text.size(), hash = std::hash<std::string_view>()(file.text);
@@ -175,10 +203,9 @@ void run(const Options& options)
   if(eigenvalue_file)
     eigenvalue_file->write(eigenvalue_table(report.facts.eigenvalues));
   output.commit();
-  if(eigenvalue_file)
-    eigenvalue_file->commit();
-  if(report_file)
-    report_file->commit();
+  for(Output_file* other : {eigenvalue_file.get(), picture_file.get(), report_file.get()})
+    if(other)
+      other->commit();
   if(!options.is_quiet)
     say_all(options, report, clock);
   clock.clear();
