@@ -6,6 +6,7 @@
 
 // Filters the positions, normals or colors of a mesh file: the package on the command line.
 
+#include "gradient_domain_filter/Background_task.h"
 #include "gradient_domain_filter/Failure.h"
 #include "gradient_domain_filter/Options.h"
 #include "gradient_domain_filter/Output_file.h"
@@ -27,6 +28,7 @@
 #include <locale>
 #include <memory>
 #include <new>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -71,14 +73,20 @@ Mesh_file read(const Options& options)
 }
 
 // Filters, and lets the normals of the file follow.
-void filter(const Options& options, const Output_form& form, Mesh_file& file, Stage_clock& clock, Report& report)
+void filter(const Options& options, const Output_form& form, bool is_surveyed, Mesh_file& file, Stage_clock& clock,
+            Report& report)
 {
   const std::vector<std::vector<double> > before = signal_values(options, file);
   const std::vector<Point> points = file.points;
+  std::optional<Background_task> surveying;
+  if(is_surveyed)
+    surveying.emplace([&] { report.survey = survey(points, file.polygons, options.has_metric()); });
   const GDP::Error_code code = filter_mesh(options, file, clock, report.facts);
   if(code != GDP::ok)
     throw Failure(options.input_name(),
                   (clock.invalid().empty() ? "" : clock.invalid() + ": ") + GDP::get_error_message(code));
+  if(surveying)
+    surveying->wait();
   const bool is_changed = report.measure(before, signal_values(options, file)) || options.only_adds();
   if(!is_changed)
     report.why_unchanged = report.facts.why_unchanged.empty() ? why_unchanged(options, file, before)
@@ -150,6 +158,24 @@ std::string eigenvalue_table(const std::vector<double>& eigenvalues)
   return table.str();
 }
 
+// Consumes the file.
+void write(const Options& options, const Output_form& form, Mesh_file& file, Stage_clock& clock, Report& report,
+           Output_file& output)
+{
+  Timed_stage stage(clock, "write");
+  const std::size_t size = file.text.size(), hash = std::hash<std::string_view>()(file.text);
+  std::string contents = mesh_file_contents(file, form);
+  std::string_view written(contents);
+  if(file.has_mark && written.substr(0, 3) == utf8_mark)
+    written.remove_prefix(3);
+  if(report.why_unchanged.empty() && written.size() == size && std::hash<std::string_view>()(written) == hash)
+  {
+    report.why_unchanged = "all changes are smaller than what the numbers of the file can hold";
+    report.changed_values = 0;
+  }
+  output.write(is_compressed_name(options.output) ? packed(contents) : std::move(contents));
+}
+
 void run(const Options& options)
 {
 #ifdef CGAL_LINKED_WITH_TBB
@@ -177,27 +203,12 @@ void run(const Options& options)
     form.format = options.output_format.value_or(file.format);
     check_output_form(options, form);
     check_form(file, form, options.output_name());
-    if(!options.is_quiet || report_file)
-      report.survey = survey(file.points, file.polygons, options.has_metric());
   }
   const std::vector<Point> before = picture_file ? file.points : std::vector<Point>();
-  filter(options, form, file, clock, report);
+  filter(options, form, !options.is_quiet || report_file, file, clock, report);
   if(picture_file)
     picture_file->write(picture(before, file));
-  {
-    Timed_stage stage(clock, "write");
-    const std::size_t size = file.text.size(), hash = std::hash<std::string_view>()(file.text);
-    std::string contents = mesh_file_contents(file, form);
-    std::string_view written(contents);
-    if(file.has_mark && written.substr(0, 3) == utf8_mark)
-      written.remove_prefix(3);
-    if(report.why_unchanged.empty() && written.size() == size && std::hash<std::string_view>()(written) == hash)
-    {
-      report.why_unchanged = "all changes are smaller than what the numbers of the file can hold";
-      report.changed_values = 0;
-    }
-    output.write(is_compressed_name(options.output) ? packed(contents) : std::move(contents));
-  }
+  write(options, form, file, clock, report, output);
   if(report_file)
     report_file->write(report.json(options, clock));
   if(eigenvalue_file)

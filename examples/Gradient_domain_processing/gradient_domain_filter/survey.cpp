@@ -6,6 +6,7 @@
 
 #include "Survey.h"
 #include "files/Value_index.h"
+#include "files/file_blocks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,26 +61,44 @@ private:
       std::vector<std::uint32_t> at(begin.begin(), begin.end() - 1);
       for_each_edge([&](int v, int w) { other[at[std::size_t((std::min)(v, w))]++] = 2 * (std::max)(v, w) + (v < w); });
     }
-    for(std::size_t v = 0; v < m_points.size(); ++v)
+    struct Block
     {
-      std::sort(other.begin() + begin[v], other.begin() + begin[v + 1]);
-      for(std::uint32_t i = begin[v], next; i < begin[v + 1]; i = next)
+      std::size_t edges = 0, crowded = 0, flipped = 0, border = 0;
+      std::vector<int> at_odd_edge, on_border; // vertices
+    };
+    std::vector<Block> blocks(m_points.size() / records_of_block + 1);
+    for_each_block_of_records(m_points.size(), [&](std::size_t first, std::size_t last) {
+      Block& block = blocks[first / records_of_block];
+      for(std::size_t v = first; v < last; ++v)
       {
-        const int w = other[i] / 2;
-        for(next = i + 1; next < begin[v + 1] && other[next] / 2 == w; ++next)
-          ;
-        const bool is_crowded = next - i > 2, is_flipped = next - i == 2 && other[i] == other[i + 1];
-        ++m_survey.edges;
-        m_survey.crowded_edges += is_crowded;
-        m_survey.flipped_edges += is_flipped;
-        if(is_crowded || is_flipped)
-          m_is_at_odd_edge[v] = m_is_at_odd_edge[std::size_t(w)] = 1;
-        if(next - i == 1)
+        std::sort(other.begin() + begin[v], other.begin() + begin[v + 1]);
+        for(std::uint32_t i = begin[v], next; i < begin[v + 1]; i = next)
         {
-          ++m_survey.border_edges;
-          m_is_on_border[v] = m_is_on_border[std::size_t(w)] = 1;
+          const int w = other[i] / 2;
+          for(next = i + 1; next < begin[v + 1] && other[next] / 2 == w; ++next)
+            ;
+          const bool is_crowded = next - i > 2, is_flipped = next - i == 2 && other[i] == other[i + 1];
+          ++block.edges;
+          block.crowded += is_crowded;
+          block.flipped += is_flipped;
+          block.border += next - i == 1;
+          if(is_crowded || is_flipped)
+            block.at_odd_edge.insert(block.at_odd_edge.end(), {int(v), w});
+          if(next - i == 1)
+            block.on_border.insert(block.on_border.end(), {int(v), w});
         }
       }
+    });
+    for(const Block& block : blocks)
+    {
+      m_survey.edges += block.edges;
+      m_survey.crowded_edges += block.crowded;
+      m_survey.flipped_edges += block.flipped;
+      m_survey.border_edges += block.border;
+      for(int v : block.at_odd_edge)
+        m_is_at_odd_edge[std::size_t(v)] = 1;
+      for(int v : block.on_border)
+        m_is_on_border[std::size_t(v)] = 1;
     }
   }
 
@@ -107,12 +126,18 @@ private:
   template <class Visit>
   void for_each_edge(const Visit& visit) const
   {
+    const int* const corners = m_polygons.corners.data();
     for(std::size_t f = 0; f < m_polygons.size(); ++f)
     {
-      const auto polygon = m_polygons[f];
-      for(std::ptrdiff_t i = 0, n = std::ptrdiff_t(polygon.size()); i < n; ++i)
-        if(const int v = polygon[i], w = polygon[i + 1 < n ? i + 1 : 0]; v != w)
+      const std::size_t begin = m_polygons.first_corner[f], end = m_polygons.first_corner[f + 1];
+      int v = begin < end ? corners[end - 1] : 0;
+      for(std::size_t i = begin; i < end; ++i)
+      {
+        const int w = corners[i];
+        if(v != w)
           visit(v, w);
+        v = w;
+      }
     }
   }
 
@@ -196,32 +221,31 @@ private:
 
   void measure_parts()
   {
+    std::vector<char> is_used(m_points.size(), 0);
     for(std::size_t f = 0; f < m_polygons.size(); ++f)
       for(int v : m_polygons[f])
+      {
+        is_used[std::size_t(v)] = 1;
         join(m_polygons[f][0], v);
-    std::vector<Box> boxes;
+      }
     std::vector<int> part_of_vertex(m_points.size(), -1);
     for(std::size_t f = 0; f < m_polygons.size(); ++f)
-    {
-      if(m_polygons[f].empty())
-        continue;
-      const std::size_t first = std::size_t(root(m_polygons[f][0]));
-      if(part_of_vertex[first] < 0)
+      if(!m_polygons[f].empty())
+        if(int& part = part_of_vertex[std::size_t(root(m_polygons[f][0]))]; part < 0)
+        {
+          part = int(m_survey.parts.size());
+          m_survey.parts.push_back({f, 0, 0.});
+        }
+    std::vector<Box> boxes(m_survey.parts.size());
+    for(std::size_t v = 0; v < m_points.size(); ++v)
+      if(is_used[v])
       {
-        part_of_vertex[first] = int(boxes.size());
-        boxes.emplace_back();
-        m_survey.parts.push_back({f, 0, 0.});
+        part_of_vertex[v] = part_of_vertex[std::size_t(root(int(v)))];
+        boxes[std::size_t(part_of_vertex[v])].add(m_points[v]);
       }
-      const int part = part_of_vertex[first];
-      for(int v : m_polygons[f])
-      {
-        boxes[std::size_t(part)].add(m_points[std::size_t(v)]);
-        part_of_vertex[std::size_t(v)] = part;
-      }
-      add_face(m_polygons[f], m_survey.parts[std::size_t(part)]);
-    }
+    add_faces(part_of_vertex);
     m_survey.components = boxes.size();
-    m_survey.unused_vertices = std::size_t(std::count(part_of_vertex.begin(), part_of_vertex.end(), -1));
+    m_survey.unused_vertices = std::size_t(std::count(is_used.begin(), is_used.end(), 0));
     m_survey.smallest_extent = std::numeric_limits<double>::infinity();
     for(const Box& box : boxes)
     {
@@ -234,14 +258,29 @@ private:
       m_survey.part_of_vertex = std::move(part_of_vertex);
   }
 
-  void add_face(const Polygons::value_type& polygon, Survey::Part& part)
+  void add_faces(const std::vector<int>& part_of_vertex)
   {
-    const double a = area(polygon);
-    m_survey.flat_faces += a == 0;
-    m_survey.needles += m_counts_needles && a > 0 && 40 * a < longest_squared_edge(polygon);
-    m_survey.area += a;
-    part.area += a;
-    ++part.faces;
+    std::vector<double> areas(m_polygons.size(), 0.);
+    std::vector<char> is_needle(m_polygons.size(), 0);
+    for_each_block_of_records(m_polygons.size(), [&](std::size_t begin, std::size_t end) {
+      for(std::size_t f = begin; f < end; ++f)
+        if(!m_polygons[f].empty())
+        {
+          areas[f] = area(m_polygons[f]);
+          is_needle[f] = m_counts_needles && areas[f] > 0 && 40 * areas[f] < longest_squared_edge(m_polygons[f]);
+        }
+    });
+    for(std::size_t f = 0; f < m_polygons.size(); ++f)
+    {
+      if(m_polygons[f].empty())
+        continue;
+      Survey::Part& part = m_survey.parts[std::size_t(part_of_vertex[std::size_t(m_polygons[f][0])])];
+      m_survey.flat_faces += areas[f] == 0;
+      m_survey.needles += std::size_t(is_needle[f]);
+      m_survey.area += areas[f];
+      part.area += areas[f];
+      ++part.faces;
+    }
   }
 
   template <class Polygon>

@@ -71,10 +71,8 @@ public:
   // Stored as a whole, n x n.
   Eigen::SparseMatrix<double> sum(int n, bool parallel) const
   {
-    const Lists places = items_by_key(n, [&](const auto& visit) { // of every degree of freedom in m_indices.items
-      for(int at = 0; at < int(m_indices.items.size()); ++at)
-        visit(m_indices.items[std::size_t(at)], at);
-    });
+    const Lists places = numbers_by_key(parallel, n, m_indices.items.size(), // of every degree of freedom
+                                        [&](std::size_t at) { return m_indices.items[at]; });
     std::vector<int> element_of(m_indices.items.size());
     for(int e = 0; e < size(); ++e)
       std::fill(element_of.begin() + m_indices.offsets[std::size_t(e)],

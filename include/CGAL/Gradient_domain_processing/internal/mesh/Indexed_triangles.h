@@ -98,7 +98,7 @@ struct Indexed_triangles
 
   double area(bool parallel) const;
 
-  void index_corners();
+  void index_corners(bool parallel = false);
 
   // The two other vertices of the triangle at a corner, in its orientation.
   std::array<int, 2> opposite_vertices(int corner) const

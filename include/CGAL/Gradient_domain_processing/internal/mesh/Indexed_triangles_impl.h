@@ -34,13 +34,10 @@ CGAL_GDP_INLINE double Indexed_triangles::area(bool parallel) const
   });
 }
 
-CGAL_GDP_INLINE void Indexed_triangles::index_corners()
+CGAL_GDP_INLINE void Indexed_triangles::index_corners(bool parallel)
 {
-  corners = items_by_key(number_of_vertices(), [&](const auto& visit) {
-    for(int f = 0; f < number_of_triangles(); ++f)
-      for(int i = 0; i < 3; ++i)
-        visit(triangles[f][i], 3 * f + i);
-  });
+  corners = numbers_by_key(parallel, number_of_vertices(), 3 * triangles.size(),
+                           [&](std::size_t corner) { return triangles[corner / 3][corner % 3]; });
 }
 
 CGAL_GDP_INLINE Lists Indexed_triangles::one_rings(bool parallel) const

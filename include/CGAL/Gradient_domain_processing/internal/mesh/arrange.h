@@ -64,7 +64,7 @@ template <class Faces>
 void index_triangles(bool parallel, Faces& faces, Indexed_triangles& mesh)
 {
   sort_triangles(parallel, faces, mesh);
-  mesh.index_corners();
+  mesh.index_corners(parallel);
   mark_border(mesh, parallel);
 }
 

@@ -13,10 +13,12 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_BORDER_EDGES_IMPL_H
 
 #include <CGAL/Gradient_domain_processing/internal/mesh/border_edges.h>
-#include <CGAL/Gradient_domain_processing/internal/parallel/parallel_for.h>
+#include <CGAL/Gradient_domain_processing/internal/parallel/parallel_blocks.h>
 #include <CGAL/Gradient_domain_processing/internal/separate_compilation.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Gradient_domain_processing {
@@ -65,11 +67,17 @@ CGAL_GDP_INLINE std::vector<char> vertices_at(const std::vector<Border_edge>& ed
 CGAL_GDP_INLINE void mark_border(Indexed_triangles& mesh, bool parallel)
 {
   mesh.is_on_border.assign(mesh.points.size(), 0);
-  parallel_for(parallel, mesh.points.size(), [&](std::size_t v) {
-    for(const int* c = mesh.corners.begin(int(v)); c != mesh.corners.end(int(v)) && !mesh.is_on_border[v]; ++c)
-      for(int w : mesh.opposite_vertices(*c))
-        if(number_of_triangles_at_edge(mesh, int(v), w) == 1)
-          mesh.is_on_border[v] = 1;
+  for_each_block(parallel, mesh.points.size(), 2048, [&](std::size_t begin, std::size_t end) {
+    std::vector<int> ends; // of the edges at a vertex, once for every corner
+    for(std::size_t v = begin; v < end; ++v)
+    {
+      ends.clear();
+      for(const int* c = mesh.corners.begin(int(v)); c != mesh.corners.end(int(v)); ++c)
+        for(int w : mesh.opposite_vertices(*c))
+          ends.push_back(w);
+      mesh.is_on_border[v] =
+        std::any_of(ends.begin(), ends.end(), [&](int w) { return std::count(ends.begin(), ends.end(), w) == 1; });
+    }
   });
 }
 

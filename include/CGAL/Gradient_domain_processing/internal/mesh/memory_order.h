@@ -13,10 +13,12 @@
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_MEMORY_ORDER_H
 
 #include <CGAL/Gradient_domain_processing/internal/mesh/Indexed_triangles.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/Lists.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/morton_order.h>
 #include <CGAL/Gradient_domain_processing/internal/parallel/parallel_for.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -54,10 +56,10 @@ std::vector<int> sort_vertices(bool parallel, Vertices& vertices, Indexed_triang
 template <class Faces>
 void sort_triangles(bool parallel, Faces& faces, Indexed_triangles& mesh)
 {
-  const std::vector<int> order = items_by_key(mesh.number_of_vertices(), [&](const auto& visit) {
-    for(int f = 0; f < mesh.number_of_triangles(); ++f)
-      visit(*std::min_element(mesh.triangles[f].begin(), mesh.triangles[f].end()), f);
-  }).items;
+  const std::vector<int> order =
+    numbers_by_key(parallel, mesh.number_of_vertices(), mesh.triangles.size(), [&](std::size_t f) {
+      return *std::min_element(mesh.triangles[f].begin(), mesh.triangles[f].end());
+    }).items;
   if(!mesh.face_of_triangle.empty())
     permute(parallel, order, mesh.face_of_triangle);
   else

@@ -12,16 +12,16 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_MORTON_ORDER_IMPL_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_MESH_MORTON_ORDER_IMPL_H
 
+#include <CGAL/Gradient_domain_processing/internal/mesh/Lists.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/morton_order.h>
 #include <CGAL/Gradient_domain_processing/internal/parallel/parallel_for.h>
 #include <CGAL/Gradient_domain_processing/internal/separate_compilation.h>
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
+#include <vector>
 
 namespace CGAL {
 namespace Gradient_domain_processing {
@@ -36,13 +36,7 @@ CGAL_GDP_INLINE std::uint32_t spread_bits(std::uint32_t x)
   return (x | x << 2) & 0x09249249;
 }
 
-struct Morton_key
-{
-  std::uint32_t key;
-  int point;
-};
-
-CGAL_GDP_INLINE std::vector<Morton_key> morton_keys(const std::vector<Eigen::Vector3d>& points, bool parallel)
+CGAL_GDP_INLINE std::vector<std::uint32_t> morton_keys(const std::vector<Eigen::Vector3d>& points, bool parallel)
 {
   constexpr int cells_per_axis = 1024;
   Eigen::AlignedBox3d box;
@@ -51,31 +45,25 @@ CGAL_GDP_INLINE std::vector<Morton_key> morton_keys(const std::vector<Eigen::Vec
   const double extent = points.empty() ? 0. : box.sizes().maxCoeff();
   const double scale = extent > 0 ? (cells_per_axis - 1) / extent : 0.;
 
-  std::vector<Morton_key> keys(points.size());
+  std::vector<std::uint32_t> keys(points.size());
   parallel_for(parallel, points.size(), [&](std::size_t i) {
     const Eigen::Matrix<std::uint32_t, 3, 1> cell = ((points[i] - box.min()) * scale).cast<std::uint32_t>();
-    keys[i] = {spread_bits(cell.x()) | spread_bits(cell.y()) << 1 | spread_bits(cell.z()) << 2, int(i)};
+    keys[i] = spread_bits(cell.x()) | spread_bits(cell.y()) << 1 | spread_bits(cell.z()) << 2;
   });
   return keys;
 }
 
+// By the lower half of the bits, then by the upper.
 CGAL_GDP_INLINE std::vector<int> morton_order(const std::vector<Eigen::Vector3d>& points, bool parallel)
 {
-  constexpr std::uint32_t radix = 1024;
-  std::vector<Morton_key> keys = morton_keys(points, parallel), sorted(points.size());
-  for(int shift = 0; shift < 30; shift += 10)
-  {
-    const auto digit = [&](const Morton_key& k) { return (k.key >> shift) % radix; };
-    std::vector<int> position(radix + 1, 0);
-    for(const Morton_key& k : keys)
-      ++position[digit(k) + 1];
-    std::partial_sum(position.begin(), position.end(), position.begin());
-    for(const Morton_key& k : keys)
-      sorted[position[digit(k)]++] = k;
-    keys.swap(sorted);
-  }
-  std::vector<int> order(points.size());
-  std::transform(keys.begin(), keys.end(), order.begin(), [](const Morton_key& k) { return k.point; });
+  constexpr int radix = 1 << 15;
+  const std::vector<std::uint32_t> keys = morton_keys(points, parallel);
+  const std::vector<int> by_lower =
+    numbers_by_key(parallel, radix, keys.size(), [&](std::size_t i) { return int(keys[i] % radix); }).items;
+  std::vector<int> order = numbers_by_key(parallel, radix, keys.size(), [&](std::size_t i) {
+    return int(keys[std::size_t(by_lower[i])] / radix);
+  }).items;
+  parallel_for(parallel, order.size(), [&](std::size_t i) { order[i] = by_lower[std::size_t(order[i])]; });
   return order;
 }
 

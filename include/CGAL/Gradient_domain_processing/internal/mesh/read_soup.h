@@ -14,6 +14,7 @@
 
 #include <CGAL/Gradient_domain_processing/internal/mesh/arrange.h>
 #include <CGAL/Gradient_domain_processing/internal/mesh/read_graph.h>
+#include <CGAL/Gradient_domain_processing/internal/parallel/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,24 +30,27 @@ namespace internal {
 
 // The polygons of a soup as they are in its ranges; indices out of range are -1.
 template <class PointRange, class PolygonRange, class Faces>
-Lists read_polygons(const Polygon_soup<PointRange, PolygonRange>& soup, const Faces& faces)
+Lists read_polygons(const Polygon_soup<PointRange, PolygonRange>& soup, const Faces& faces, bool parallel)
 {
   const std::size_t number_of_points = std::size_t(std::distance(std::begin(soup.points), std::end(soup.points)));
   Lists polygons;
-  polygons.offsets.assign(1, 0);
-  polygons.offsets.reserve(faces.size() + 1);
-  polygons.items.reserve(3 * faces.size());
-  for(std::size_t f : faces)
-  {
-    for(const auto& index : soup.polygons[f])
-      polygons.items.push_back(std::size_t(index) < number_of_points ? int(index) : -1);
-    polygons.offsets.push_back(int(polygons.items.size()));
-  }
+  polygons.offsets.assign(faces.size() + 1, 0);
+  parallel_for(parallel, faces.size(), [&](std::size_t k) {
+    const auto& polygon = soup.polygons[faces[k]];
+    polygons.offsets[k + 1] = int(std::distance(std::begin(polygon), std::end(polygon)));
+  });
+  std::partial_sum(polygons.offsets.begin(), polygons.offsets.end(), polygons.offsets.begin());
+  polygons.items.resize(std::size_t(polygons.offsets.back()));
+  parallel_for(parallel, faces.size(), [&](std::size_t k) {
+    int at = polygons.offsets[k];
+    for(const auto& index : soup.polygons[faces[k]])
+      polygons.items[std::size_t(at++)] = std::size_t(index) < number_of_points ? int(index) : -1;
+  });
   return polygons;
 }
 
 // Moves polygons that are all triangles to the mesh.
-void take_triangles(Lists& polygons, Indexed_triangles& mesh);
+void take_triangles(bool parallel, Lists& polygons, Indexed_triangles& mesh);
 
 // Reads what `faces` of the elements say, by the points of `vertices` of the elements; `row_of_point` is the inverse of
 // the latter.
@@ -54,16 +58,18 @@ template <class Soup>
 Error_code read_soup_elements(const Soup& soup, std::vector<int>& row_of_point, Reading& reading,
                               Surface_elements<Soup>& elements, Indexed_triangles& mesh)
 {
-  Lists polygons = read_polygons(soup, elements.faces);
+  Lists polygons = read_polygons(soup, elements.faces, reading.parallel);
   std::vector<char> is_bad = read_points(elements.vertices, [&](std::size_t v) { return soup.points[v]; }, mesh);
   const std::vector<int> order = sort_vertices(reading.parallel, elements.vertices, mesh);
   if(!is_bad.empty())
     permute(reading.parallel, order, is_bad);
   for(std::size_t row = 0; row < elements.vertices.size(); ++row)
     row_of_point[elements.vertices[row]] = int(row);
-  for(int& item : polygons.items)
+  parallel_for(reading.parallel, polygons.items.size(), [&](std::size_t i) {
+    int& item = polygons.items[i];
     item = item < 0 ? item : row_of_point[item];
-  take_triangles(polygons, mesh);
+  });
+  take_triangles(reading.parallel, polygons, mesh);
   if(const Error_code code = check_faces(polygons, reading, mesh))
     return code;
   arrange(reading, elements.faces, polygons, mesh);

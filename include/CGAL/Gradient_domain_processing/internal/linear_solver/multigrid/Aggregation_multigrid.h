@@ -42,7 +42,6 @@ class Aggregation_multigrid
 
   static constexpr double strength_threshold = 0.08; // of couplings relative to the diagonals, on all levels
   static constexpr int max_coarsest_size = 256;
-  static constexpr int max_number_of_eliminations = 12; // slivers that hang together take several
   static constexpr int max_channels = 4;
 
   struct Level
@@ -52,15 +51,8 @@ class Aggregation_multigrid
     std::vector<float> right, solution, residual;
   };
 
-  // What comes before the levels, where there are slivers.
-  struct Elimination_level
-  {
-    Stiff_elimination<double> elimination;
-    std::vector<double> right, solution; // after it
-  };
-
   Matrix m_finest;
-  std::vector<Elimination_level> m_eliminations;
+  Stiff_elimination m_elimination; // comes before the levels
   std::vector<Level> m_levels;
   Eigen::LLT<Eigen::MatrixXd> m_coarsest;
   bool m_solves_coarsest = false;
@@ -77,9 +69,10 @@ public:
   {
     m_parallel = parallel;
     m_levels.clear();
-    m_eliminations.clear();
-    m_finest.swap(matrix);
-    const Matrix* finer = eliminate_stiff(matrix) ? &matrix : &m_finest;
+    m_finest = std::move(matrix);
+    matrix = Matrix();
+    m_elimination.eliminate(m_finest, m_parallel, matrix);
+    const Matrix* finer = m_elimination.empty() ? &m_finest : &matrix;
     m_solves_coarsest = false;
     Matrix restriction;
     while(!go_on || go_on())
@@ -108,16 +101,17 @@ public:
 
   const Matrix& finest() const { return m_finest; }
 
-  // To be called before a series of apply(), with the largest right-hand side.
+  // To be called before a series of apply(), with the largest right-hand side, which is left as it was.
   template <int K>
-  void begin(const std::vector<double>& b)
+  void begin(std::vector<double>& b)
   {
-    const std::vector<double>& right = restricted<K>(b);
+    m_elimination.restrict_to<K>(b);
     const std::vector<double>& inverse_diagonal = m_levels.front().smoother.inverse_diagonal();
     Channels<K> largest = Channels<K>::Zero();
     for(std::size_t i = 0; i < inverse_diagonal.size(); ++i)
       for(int c = 0; c < K; ++c)
-        largest[c] = (std::max)(largest[c], std::abs(right[K * i + c] * inverse_diagonal[i]));
+        largest[c] = (std::max)(largest[c], std::abs(b[K * i + c] * inverse_diagonal[i]));
+    m_elimination.undo_restriction<K>(b);
     for(int c = 0; c < K; ++c)
       m_scale[c] =
         largest[c] > 0 && std::isfinite(largest[c]) ? std::ldexp(1., (std::min)(-std::ilogb(largest[c]), 1000)) : 1.;
@@ -131,57 +125,22 @@ public:
   }
 
   // x = V b for K channels that lie together. Returns their products b . x. `before(begin, end)` is called before these
-  // rows of b are read, so that they are in the cache.
+  // rows of b are read, so that they are in the cache. After that b is left as it was.
   template <int K, class Before>
-  Channels<K> apply(const std::vector<double>& b, std::vector<double>& x, const Before& before)
+  Channels<K> apply(std::vector<double>& b, std::vector<double>& x, const Before& before)
   {
-    if(m_eliminations.empty())
+    if(m_elimination.empty())
       return cycle_from_double<K>(b, x, before);
-    const std::size_t n = std::size_t(m_finest.rows());
-    for_each_block(m_parallel, n, block_size, before);
-    const std::vector<double>& right = restricted<K>(b);
-    cycle_from_double<K>(right, m_eliminations.back().solution, [](std::size_t, std::size_t) {});
-    for(std::size_t k = m_eliminations.size(); k-- > 0; )
-      m_eliminations[k].elimination.template prolongate<K>(k > 0 ? m_eliminations[k - 1].right : b,
-                                                           m_eliminations[k].solution,
-                                                           k > 0 ? m_eliminations[k - 1].solution : x, m_parallel);
-    return sum_over_blocks(m_parallel, n, block_size, Channels<K>(Channels<K>::Zero()),
-                           [&](std::size_t begin, std::size_t end) { return product<K>(b, x, begin, end); });
+    for_each_block(m_parallel, std::size_t(m_finest.rows()), block_size, before);
+    m_elimination.restrict_to<K>(b);
+    const Channels<K> product = cycle_from_double<K>(b, x, [](std::size_t, std::size_t) {}); // P takes nothing from it
+    m_elimination.undo_restriction<K>(b);
+    m_elimination.prolongate<K>(x);
+    return product;
   }
 
 private:
   static constexpr std::size_t block_size = 8192;
-
-  // Returns whether there was anything to eliminate; then `remainder` is what is left.
-  bool eliminate_stiff(Matrix& remainder)
-  {
-    const Matrix* matrix = &m_finest;
-    for(int count = 0; count < max_number_of_eliminations; ++count)
-    {
-      Elimination_level level;
-      Matrix next;
-      if(!level.elimination.eliminate(*matrix, m_parallel, next))
-        break;
-      remainder.swap(next);
-      matrix = &remainder;
-      level.solution.resize(max_channels * std::size_t(remainder.rows()));
-      m_eliminations.push_back(std::move(level));
-    }
-    return !m_eliminations.empty();
-  }
-
-  // b without what is eliminated.
-  template <int K>
-  const std::vector<double>& restricted(const std::vector<double>& b)
-  {
-    const std::vector<double>* right = &b;
-    for(Elimination_level& level : m_eliminations)
-    {
-      level.elimination.template restrict_to<K>(*right, level.right, m_parallel);
-      right = &level.right;
-    }
-    return *right;
-  }
 
   template <int K, class Before>
   Channels<K> cycle_from_double(const std::vector<double>& b, std::vector<double>& x, const Before& before)
@@ -226,17 +185,6 @@ private:
     Channels<K> sum = Channels<K>::Zero();
     for(const Channels<K>& p : products)
       sum += p;
-    return sum;
-  }
-
-  template <int K>
-  static Channels<K> product(const std::vector<double>& a, const std::vector<double>& b, std::size_t begin,
-                             std::size_t end)
-  {
-    Channels<K> sum = Channels<K>::Zero();
-    for(std::size_t i = begin; i < end; ++i)
-      for(int c = 0; c < K; ++c)
-        sum[c] += a[K * i + c] * b[K * i + c];
     return sum;
   }
 

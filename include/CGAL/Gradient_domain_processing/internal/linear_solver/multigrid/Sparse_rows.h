@@ -34,51 +34,16 @@ struct Sparse_rows
 
   int rows() const { return int(offset.size()) - 1; }
 
-  void swap(Sparse_rows& other)
+  std::vector<Real> diagonal(bool parallel) const
   {
-    offset.swap(other.offset);
-    column.swap(other.column);
-    value.swap(other.value);
-    std::swap(columns, other.columns);
-  }
-
-  std::vector<Real> diagonal() const
-  {
-    std::vector<Real> result(rows(), 0);
-    for(int i = 0; i < rows(); ++i)
-      for(int e = offset[i]; e < offset[i + 1]; ++e)
-        if(column[e] == i)
-          result[i] += value[e];
-    return result;
-  }
-
-  // Row i times the K columns of x, which lie together.
-  template <int K, class X>
-  void multiply_row(std::size_t i, const X& x, Real* sum) const
-  {
-    Real s[K] = {};
-    for(int e = offset[i]; e < offset[i + 1]; ++e)
-    {
-      const auto* at = &x[K * std::size_t(column[e])];
-      for(int c = 0; c < K; ++c)
-        s[c] += value[e] * Real(at[c]);
-    }
-    std::copy(s, s + K, sum);
-  }
-
-  // y = A x for K columns that lie together.
-  template <int K, class X, class Y>
-  void multiply(const X& x, Y& y, bool parallel) const
-  {
-    for_each_block(parallel, std::size_t(rows()), 8192, [&](std::size_t begin, std::size_t end) {
+    std::vector<Real> result(std::size_t(rows()), 0);
+    for_each_block(parallel, result.size(), 8192, [&](std::size_t begin, std::size_t end) {
       for(std::size_t i = begin; i < end; ++i)
-      {
-        Real sum[K];
-        multiply_row<K>(i, x, sum);
-        for(std::size_t c = 0; c < K; ++c)
-          y[K * i + c] = sum[c];
-      }
+        for(int e = offset[i]; e < offset[i + 1]; ++e)
+          if(std::size_t(column[e]) == i)
+            result[i] += value[e];
     });
+    return result;
   }
 };
 

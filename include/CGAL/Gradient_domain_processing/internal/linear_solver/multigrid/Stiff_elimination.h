@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -26,128 +27,248 @@ namespace internal {
 // A sliver binds a degree of freedom to its neighbors: a cap its apex to the line between the ends of its base, a
 // needle two vertices to each other. The large number in the matrix that does so has a small one hidden behind it,
 // which neither a smoother that looks at one row at a time finds, nor aggregates, which know constants only. Those that
-// are bound are eliminated, exactly, some that are no neighbors at a time: with D their diagonal, A^-1 = D^-1 + P S^-1
-// P^T, where P gives them what their neighbors ask for, and S = P^T A P is as if the sliver had never been.
-template <class Real>
+// are bound are eliminated, exactly: with D their diagonal, A^-1 = D^-1 + P S^-1 P^T, where P gives them what their
+// neighbors ask for, and S = P^T A P is as if the sliver had never been. They keep their places, in which the remainder
+// has D alone, so that the work is theirs only, not the mesh's.
 class Stiff_elimination
 {
-  typedef Sparse_rows<Real> Matrix;
+  typedef Sparse_rows<double> Matrix;
+  typedef std::vector<std::pair<int, double> > Row;
 
-  std::vector<int> m_eliminated;
-  std::vector<Real> m_inverse_diagonal; // of them
-  Matrix m_prolongation, m_restriction;
+  static constexpr int max_number_of_rounds = 12; // slivers that hang together take several
+  static constexpr int max_row_length = 32;       // its neighbors become neighbors of each other
+
+  std::vector<int> m_eliminated;                // in this order
+  std::vector<int> m_offset, m_neighbor;        // of them
+  std::vector<double> m_share;                  // of a neighbor: its entry in P
+  std::vector<int> m_touched;                   // all neighbors, once
+  std::vector<double> m_kept;                   // what they had before restrict_to()
 
 public:
-  int rows() const { return m_prolongation.rows(); }
+  bool empty() const { return m_eliminated.empty(); }
 
-  // Returns whether there are any; then S is the remainder. In a matrix that is not positive on its diagonal there are
-  // none.
-  bool eliminate(const Matrix& matrix, bool parallel, Matrix& remainder)
+  // Makes the remainder of a matrix, unless nothing is eliminated, as in one that is not positive on its diagonal.
+  void eliminate(const Matrix& matrix, bool parallel, Matrix& remainder)
   {
-    const std::vector<Real> diagonal = matrix.diagonal();
-    if(std::all_of(diagonal.begin(), diagonal.end(), [](Real d) { return d > 0; }))
-      choose(matrix, diagonal, parallel);
-    if(m_eliminated.empty())
-      return false;
-
-    std::vector<char> is_eliminated(diagonal.size(), 0);
-    for(int k : m_eliminated)
+    *this = Stiff_elimination();
+    std::vector<double> diagonal = matrix.diagonal(parallel);
+    if(!std::all_of(diagonal.begin(), diagonal.end(), [](double d) { return d > 0; }))
+      return;
+    Remainder rows(matrix, diagonal);
+    m_offset.assign(1, 0);
+    std::vector<int> candidates = rows.bound(parallel);
+    for(int round = 0; round < max_number_of_rounds && !candidates.empty(); ++round)
     {
-      is_eliminated[k] = 1;
-      m_inverse_diagonal.push_back(1 / diagonal[k]);
+      const std::size_t first = m_eliminated.size();
+      choose(rows, candidates);
+      std::vector<int> changed;
+      for(std::size_t k = first; k < m_eliminated.size(); ++k)
+      {
+        const Row row = rows.take(m_eliminated[k]);
+        for(const std::pair<int, double>& entry : row)
+        {
+          m_neighbor.push_back(entry.first);
+          m_share.push_back(-entry.second / diagonal[m_eliminated[k]]);
+          changed.push_back(entry.first);
+        }
+        m_offset.push_back(int(m_neighbor.size()));
+      }
+      candidates = rows.bound_about(changed);
     }
-    std::vector<int> number(diagonal.size());
-    int count = 0;
-    for(std::size_t i = 0; i < number.size(); ++i)
-      number[i] = is_eliminated[i] ? -1 : count++;
-    m_prolongation = build_rows<Real>(parallel, matrix.rows(), count, [&](std::size_t i, auto& row) {
-      if(!is_eliminated[i])
-        row.add(number[i], 1);
-      else
-        for(int e = matrix.offset[i]; e < matrix.offset[i + 1]; ++e)
-          if(matrix.column[e] != int(i))
-            row.add(number[matrix.column[e]], -matrix.value[e] / diagonal[i]);
-    });
-    m_restriction = transpose(m_prolongation);
-    remainder = reduced(matrix, is_eliminated, number, count, parallel);
-    return true;
+    if(empty())
+      return;
+    m_touched = m_neighbor;
+    std::sort(m_touched.begin(), m_touched.end());
+    m_touched.erase(std::unique(m_touched.begin(), m_touched.end()), m_touched.end());
+    remainder = rows.matrix(parallel);
   }
 
-  // coarse = P^T b
-  template <int K, class B>
-  void restrict_to(const B& b, std::vector<Real>& coarse, bool parallel) const
+  // b = P^T b and, where it was eliminated, b. For K channels that lie together.
+  template <int K>
+  void restrict_to(std::vector<double>& b)
   {
-    coarse.resize(K * std::size_t(m_restriction.rows()));
-    m_restriction.template multiply<K>(b, coarse, parallel);
-  }
-
-  // x = D^-1 b + P coarse
-  template <int K, class B, class X>
-  void prolongate(const B& b, const std::vector<Real>& coarse, X& x, bool parallel) const
-  {
-    m_prolongation.template multiply<K>(coarse, x, parallel);
+    m_kept.resize(K * m_touched.size());
+    for(std::size_t k = 0; k < m_touched.size(); ++k)
+      std::copy_n(&b[K * std::size_t(m_touched[k])], K, &m_kept[K * k]);
     for(std::size_t k = 0; k < m_eliminated.size(); ++k)
-      for(std::size_t c = 0; c < K; ++c)
-        x[K * std::size_t(m_eliminated[k]) + c] +=
-          m_inverse_diagonal[k] * Real(b[K * std::size_t(m_eliminated[k]) + c]);
+      for(int e = m_offset[k]; e < m_offset[k + 1]; ++e)
+        for(std::size_t c = 0; c < K; ++c)
+          b[K * std::size_t(m_neighbor[e]) + c] += m_share[e] * b[K * std::size_t(m_eliminated[k]) + c];
+  }
+
+  // b as it was.
+  template <int K>
+  void undo_restriction(std::vector<double>& b) const
+  {
+    for(std::size_t k = 0; k < m_touched.size(); ++k)
+      std::copy_n(&m_kept[K * k], K, &b[K * std::size_t(m_touched[k])]);
+  }
+
+  // x = x + P x, where x has D^-1 b at what was eliminated.
+  template <int K>
+  void prolongate(std::vector<double>& x) const
+  {
+    for(std::size_t k = m_eliminated.size(); k-- > 0; )
+      for(int e = m_offset[k]; e < m_offset[k + 1]; ++e)
+        for(std::size_t c = 0; c < K; ++c)
+          x[K * std::size_t(m_eliminated[k]) + c] += m_share[e] * x[K * std::size_t(m_neighbor[e]) + c];
   }
 
 private:
-  // The squared couplings of a row, relative to the diagonals, sum up to a sixth in a mesh of good triangles, to a half
-  // where all couplings are along lines, and to two at a sliver.
-  void choose(const Matrix& a, const std::vector<Real>& diagonal, bool parallel)
+  // The matrix with some rows replaced.
+  class Remainder
   {
-    const Real bound = Real(0.75);
-    const int max_row_length = 32; // its neighbors become neighbors of each other
-    std::vector<char> is_bound(diagonal.size());
-    for_each_block(parallel, diagonal.size(), 8192, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t i = begin; i < end; ++i)
-      {
-        Real sum = 0;
-        for(int e = a.offset[i]; e < a.offset[i + 1]; ++e)
-          if(a.column[e] != int(i))
-            sum += (a.value[e] / diagonal[i]) * (a.value[e] / diagonal[a.column[e]]);
-        is_bound[i] = sum > bound && a.offset[i + 1] - a.offset[i] <= max_row_length;
-      }
-    });
+    const Matrix& m_matrix;
+    std::vector<double>& m_diagonal;
+    std::vector<int> m_place; // of a row that was replaced, in m_rows
+    std::vector<Row> m_rows;  // without the diagonal
 
-    // Those with the largest diagonals come first: apices of caps, not the ends of their bases.
-    std::vector<int> candidates;
-    for(std::size_t i = 0; i < diagonal.size(); ++i)
-      if(is_bound[i])
-        candidates.push_back(int(i));
-    std::stable_sort(candidates.begin(), candidates.end(), [&](int i, int j) { return diagonal[i] > diagonal[j]; });
+  public:
+    Remainder(const Matrix& matrix, std::vector<double>& diagonal)
+      : m_matrix(matrix)
+      , m_diagonal(diagonal)
+      , m_place(diagonal.size(), -1)
+    {
+    }
+
+    std::size_t size() const { return m_place.size(); }
+    double diagonal(int i) const { return m_diagonal[i]; }
+
+    template <class Visit>
+    void for_each_neighbor(int i, const Visit& visit) const
+    {
+      if(m_place[i] >= 0)
+        for(const std::pair<int, double>& entry : m_rows[m_place[i]])
+          visit(entry.first, entry.second);
+      else
+        for(int e = m_matrix.offset[i]; e < m_matrix.offset[i + 1]; ++e)
+          if(m_matrix.column[e] != i)
+            visit(m_matrix.column[e], m_matrix.value[e]);
+    }
+
+    // The squared couplings of a row, relative to the diagonals, sum up to a sixth in a mesh of good triangles, to a
+    // half where all couplings are along lines, and to two at a sliver.
+    bool is_bound(int i) const
+    {
+      const double bound = 0.75;
+      double sum = 0;
+      int length = 1;
+      for_each_neighbor(i, [&](int j, double value) {
+        sum += (value / m_diagonal[i]) * (value / m_diagonal[j]);
+        ++length;
+      });
+      return sum > bound && length <= max_row_length;
+    }
+
+    std::vector<int> bound(bool parallel) const
+    {
+      std::vector<char> is(size());
+      for_each_block(parallel, is.size(), 8192, [&](std::size_t begin, std::size_t end) {
+        for(std::size_t i = begin; i < end; ++i)
+          is[i] = is_bound(int(i));
+      });
+      std::vector<int> result;
+      for(std::size_t i = 0; i < is.size(); ++i)
+        if(is[i])
+          result.push_back(int(i));
+      return result;
+    }
+
+    // Among these rows and their neighbors.
+    std::vector<int> bound_about(std::vector<int> rows) const
+    {
+      const std::size_t size = rows.size();
+      for(std::size_t k = 0; k < size; ++k)
+        for_each_neighbor(rows[k], [&](int j, double) { rows.push_back(j); });
+      std::sort(rows.begin(), rows.end());
+      rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+      rows.erase(std::remove_if(rows.begin(), rows.end(), [&](int i) { return !is_bound(i); }), rows.end());
+      return rows;
+    }
+
+    // Eliminates a row, which is returned.
+    Row take(int k)
+    {
+      Row row;
+      for_each_neighbor(k, [&](int j, double value) { row.emplace_back(j, value); });
+      for(const std::pair<int, double>& to : row)
+      {
+        Row& changed = replaced(to.first);
+        changed.erase(std::find_if(changed.begin(), changed.end(), [&](const auto& e) { return e.first == k; }));
+        for(const std::pair<int, double>& from : row)
+        {
+          const double product = to.second * from.second / m_diagonal[k];
+          if(from.first == to.first)
+          {
+            m_diagonal[to.first] -= product;
+            continue;
+          }
+          const auto at = std::find_if(changed.begin(), changed.end(),
+                                       [&](const auto& entry) { return entry.first == from.first; });
+          if(at == changed.end())
+            changed.emplace_back(from.first, -product);
+          else
+            at->second -= product;
+        }
+      }
+      replaced(k).clear();
+      return row;
+    }
+
+    Matrix matrix(bool parallel) const
+    {
+      Matrix result;
+      result.columns = m_matrix.columns;
+      result.offset.assign(1, 0);
+      for(std::size_t i = 0; i < size(); ++i)
+        result.offset.push_back(result.offset.back()
+                                + (m_place[i] < 0 ? m_matrix.offset[i + 1] - m_matrix.offset[i]
+                                                  : int(m_rows[m_place[i]].size()) + 1));
+      result.column.resize(std::size_t(result.offset.back()));
+      result.value.resize(std::size_t(result.offset.back()));
+      for_each_block(parallel, size(), 8192, [&](std::size_t begin, std::size_t end) {
+        for(std::size_t i = begin; i < end; ++i)
+        {
+          int at = result.offset[i];
+          const auto put = [&](int j, double value) {
+            result.column[at] = j;
+            result.value[at++] = value;
+          };
+          put(int(i), m_diagonal[i]);
+          for_each_neighbor(int(i), put);
+        }
+      });
+      return result;
+    }
+
+  private:
+    Row& replaced(int i)
+    {
+      if(m_place[i] < 0)
+      {
+        Row row;
+        for_each_neighbor(i, [&](int j, double value) { row.emplace_back(j, value); });
+        m_place[i] = int(m_rows.size());
+        m_rows.push_back(std::move(row));
+      }
+      return m_rows[m_place[i]];
+    }
+  };
+
+  // Some of the candidates that are no neighbors, those with the largest diagonals first: apices of caps, not the ends
+  // of their bases.
+  void choose(const Remainder& rows, std::vector<int> candidates)
+  {
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [&](int i, int j) { return rows.diagonal(i) > rows.diagonal(j); });
+    std::vector<char> is_excluded(rows.size(), 0);
     for(int k : candidates)
     {
-      if(!is_bound[k])
+      if(is_excluded[k])
         continue; // a neighbor was chosen
       m_eliminated.push_back(k);
-      for(int e = a.offset[k]; e < a.offset[k + 1]; ++e)
-        is_bound[a.column[e]] = 0;
+      rows.for_each_neighbor(k, [&](int j, double) { is_excluded[j] = 1; });
     }
-    std::sort(m_eliminated.begin(), m_eliminated.end());
-  }
-
-  // S: every eliminated neighbor hands on what it is bound to.
-  Matrix reduced(const Matrix& a, const std::vector<char>& is_eliminated, const std::vector<int>& number, int count,
-                 bool parallel) const
-  {
-    std::vector<int> kept(count);
-    for(std::size_t i = 0; i < number.size(); ++i)
-      if(number[i] >= 0)
-        kept[number[i]] = int(i);
-    return build_rows<Real>(parallel, count, count, [&](std::size_t row_index, auto& row) {
-      const int i = kept[row_index];
-      for(int e = a.offset[i]; e < a.offset[i + 1]; ++e)
-      {
-        const int k = a.column[e];
-        if(!is_eliminated[k])
-          row.add(number[k], a.value[e]);
-        else
-          for(int f = m_prolongation.offset[k]; f < m_prolongation.offset[k + 1]; ++f)
-            row.add(m_prolongation.column[f], a.value[e] * m_prolongation.value[f]);
-      }
-    });
   }
 };
 

@@ -26,14 +26,23 @@ namespace internal {
 // ones; where the mass dominates there are none.
 
 // Strong couplings pull two unknowns together; those of obtuse angles and of the mass push, and are not among them.
-inline bool is_strong(double coupling, double d_i, double d_j, double threshold)
+inline std::vector<char> strong_couplings(const Sparse_rows<double>& a, double threshold, bool parallel)
 {
-  return coupling < 0 && coupling * coupling > threshold * threshold * d_i * d_j;
+  const std::vector<double> diagonal = a.diagonal(parallel);
+  std::vector<char> is_strong(a.value.size());
+  for_each_block(parallel, diagonal.size(), 8192, [&](std::size_t begin, std::size_t end) {
+    for(std::size_t i = begin; i < end; ++i)
+      for(int e = a.offset[i]; e < a.offset[i + 1]; ++e)
+        is_strong[e] =
+          a.value[e] < 0
+          && a.value[e] * a.value[e] > threshold * threshold * diagonal[i] * diagonal[std::size_t(a.column[e])];
+  });
+  return is_strong;
 }
 
 // An unknown whose strong neighbors are all free makes an aggregate with them; the others join the neighbor they are
 // coupled to most strongly. One without strong neighbors is in none.
-inline int aggregate_unknowns(const Sparse_rows<double>& a, const std::vector<double>& diagonal, double threshold,
+inline int aggregate_unknowns(const Sparse_rows<double>& a, const std::vector<char>& is_strong, bool parallel,
                               std::vector<int>& aggregate)
 {
   const int n = a.rows();
@@ -45,7 +54,7 @@ inline int aggregate_unknowns(const Sparse_rows<double>& a, const std::vector<do
       continue;
     bool is_free = true, has_neighbors = false;
     for(int e = a.offset[i]; e < a.offset[i + 1] && is_free; ++e)
-      if(is_strong(a.value[e], diagonal[i], diagonal[a.column[e]], threshold))
+      if(is_strong[e])
       {
         has_neighbors = true;
         is_free = aggregate[a.column[e]] < 0;
@@ -54,25 +63,24 @@ inline int aggregate_unknowns(const Sparse_rows<double>& a, const std::vector<do
       continue;
     aggregate[i] = count;
     for(int e = a.offset[i]; e < a.offset[i + 1]; ++e)
-      if(is_strong(a.value[e], diagonal[i], diagonal[a.column[e]], threshold))
+      if(is_strong[e])
         aggregate[a.column[e]] = count;
     ++count;
   }
 
   const std::vector<int> roots = aggregate;
-  for(int i = 0; i < n; ++i)
-  {
-    double strongest = 0;
-    for(int e = a.offset[i]; roots[i] < 0 && e < a.offset[i + 1]; ++e)
+  for_each_block(parallel, std::size_t(n), 8192, [&](std::size_t begin, std::size_t end) {
+    for(std::size_t i = begin; i < end; ++i)
     {
-      const int j = a.column[e];
-      if(roots[j] >= 0 && a.value[e] < strongest && is_strong(a.value[e], diagonal[i], diagonal[j], threshold))
-      {
-        strongest = a.value[e];
-        aggregate[i] = roots[j];
-      }
+      double strongest = 0;
+      for(int e = a.offset[i]; roots[i] < 0 && e < a.offset[i + 1]; ++e)
+        if(is_strong[e] && a.value[e] < strongest && roots[a.column[e]] >= 0)
+        {
+          strongest = a.value[e];
+          aggregate[i] = roots[a.column[e]];
+        }
     }
-  }
+  });
   return count;
 }
 
@@ -82,25 +90,19 @@ inline int aggregate_unknowns(const Sparse_rows<double>& a, const std::vector<do
 inline Sparse_rows<double> prolongation(const Sparse_rows<double>& a, double threshold, bool parallel)
 {
   const double omega = 2. / 3;
-  const std::vector<double> diagonal = a.diagonal();
+  const std::vector<char> is_strong = strong_couplings(a, threshold, parallel);
   std::vector<int> aggregate;
-  const int number_of_aggregates = aggregate_unknowns(a, diagonal, threshold, aggregate);
+  const int number_of_aggregates = aggregate_unknowns(a, is_strong, parallel, aggregate);
   return build_rows<double>(parallel, a.rows(), number_of_aggregates, [&](std::size_t i, auto& row) {
     if(aggregate[i] < 0)
       return;
     double filtered = 0, strong = 0;
     for(int e = a.offset[i]; e < a.offset[i + 1]; ++e)
-      if(is_strong(a.value[e], diagonal[i], diagonal[a.column[e]], threshold))
-        strong -= a.value[e];
-      else
-        filtered += a.value[e];
+      (is_strong[e] ? strong : filtered) += is_strong[e] ? -a.value[e] : a.value[e];
     filtered = (std::max)(filtered, strong); // obtuse angles at constrained vertices may leave less
     for(int e = a.offset[i]; e < a.offset[i + 1]; ++e)
-    {
-      const int j = a.column[e];
-      if(is_strong(a.value[e], diagonal[i], diagonal[j], threshold) && aggregate[j] >= 0)
-        row.add(aggregate[j], -omega * a.value[e] / filtered);
-    }
+      if(is_strong[e] && aggregate[a.column[e]] >= 0)
+        row.add(aggregate[a.column[e]], -omega * a.value[e] / filtered);
     row.add(aggregate[i], 1 - omega);
   });
 }
