@@ -45,7 +45,7 @@ public:
     else if(verb == "save")
       m_window.save(rest(words));
     else if(verb == "set")
-      set(word(words), rest(words));
+      set(words);
     else if(verb == "press")
       find<QPushButton>(word(words)).click();
     else if(verb == "turn")
@@ -57,7 +57,7 @@ public:
     else if(verb == "screenshot")
       screenshot(rest(words));
     else if(verb == "measure")
-      measure(word(words), int(number(words)));
+      measure(words);
     else if(verb == "expect")
       expect(rest(words));
     else
@@ -109,8 +109,9 @@ private:
     throw Failure("there is no '" + name + "'");
   }
 
-  void set(const std::string& name, const std::string& value)
+  void set(std::istream& words)
   {
+    const std::string name = word(words), value = rest(words);
     const auto children = m_window.findChildren<QComboBox*>(QString::fromStdString(name));
     if(children.isEmpty())
     {
@@ -166,8 +167,10 @@ private:
       throw Failure(path, "cannot be written");
   }
 
-  void measure(const std::string& name, int times)
+  void measure(std::istream& words)
   {
+    const std::string name = word(words);
+    const int times = int(number(words));
     Value_slider& slider = find<Value_slider>(name);
     const double before = slider.value();
     std::vector<double> milliseconds;

@@ -36,7 +36,7 @@ void write_torus(const std::string& path, int n, int m, bool has_hole = false)
   for(int i = 0; i < n; ++i)
     for(int j = 0; j < m; ++j)
     {
-      const double a = 2 * pi * i / n, b = 2 * pi * j / m, r = 0.4 + 0.02 * std::sin(11 * a) * std::cos(7 * b) + 1e-3 * std::sin(i * 7919. + j * 104729.);
+      const double a = 2 * pi * i / n, b = 2 * pi * j / m, r = 0.4 + 0.02 * std::sin(11 * a) * std::cos(7 * b) + 0.01 * std::sin(i * 7919. + j * 104729. + i * j);
       file << (1 + r * std::cos(b)) * std::cos(a) << " " << (1 + r * std::cos(b)) * std::sin(a) << " " << r * std::sin(b) << "\n";
     }
   for(int i = 0; i < n; ++i)
@@ -147,7 +147,7 @@ void test_brushes(const std::string& path)
   GDP_CHECK(!model.paint(Brush::MASK, center, 0.3, false)); // there is no paint to wipe off
   GDP_CHECK(model.paint(Brush::REGION, center, 0.8));
   GDP_CHECK(!model.paint(Brush::REGION, center, 0.8));
-  GDP_CHECK(model.paint(Brush::CONSTRAINED, center, 0.1));
+  GDP_CHECK(model.paint(Brush::CONSTRAINED, center, 0.25));
   GDP_CHECK(!model.is_painting_saved());
   for(double scale : {0., 2.})
   {
