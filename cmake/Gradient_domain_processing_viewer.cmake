@@ -3,6 +3,9 @@
 include_guard(GLOBAL)
 
 option(CGAL_GDP_WITH_VIEWER "Build gradient_domain_viewer, and gradient_domain_filter with --picture (VTK with Qt)" OFF)
+if(CGAL_GDP_WITH_VIEWER)
+  enable_language(C) # VTK's own dependencies are looked for with it
+endif()
 
 # Without VTK there are no such targets.
 function(gradient_domain_processing_drawing)

@@ -51,6 +51,7 @@ Control_panel::Control_panel(QWidget* parent) : QWidget(parent)
   m_command->setObjectName("command");
   m_command->setReadOnly(true);
   m_command->setFocusPolicy(Qt::ClickFocus);
+  m_command->setLineWrapMode(QPlainTextEdit::NoWrap);
   layout->addWidget(m_command, 1);
   setFixedWidth(340);
   connect_all();
@@ -91,7 +92,7 @@ void Control_panel::add_buttons(QVBoxLayout* layout)
   };
   add("Open ...", "open", [this] { open(); });
   add("Save ...", "save", [this] { save(); });
-  add("Copy command", "copy", [this] { QApplication::clipboard()->setText(m_command->toPlainText()); });
+  add("Copy command", "copy", [this] { QApplication::clipboard()->setText(m_command_text); });
   add("Save paint", "save-paint", [this] { save_painting(); });
   add("Wipe all off", "wipe-off", [this] { wipe_off(); });
   layout->addLayout(grid);
@@ -184,6 +185,6 @@ double Control_panel::brush_radius() const { return m_brush_size->value(); }
 
 void Control_panel::show_command()
 {
-  m_command->setPlainText(QString::fromStdString(m_model->command("result.ply"))
-                          + (m_model->is_painting_saved() ? "" : "\n(after \"Save paint\")"));
+  m_command_text = QString::fromStdString(m_model->command("result.ply"));
+  m_command->setPlainText(m_command_text + (m_model->is_painting_saved() ? "" : "\n\n(after \"Save paint\")"));
 }

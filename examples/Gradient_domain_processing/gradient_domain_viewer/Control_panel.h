@@ -26,6 +26,7 @@ class Control_panel : public QWidget
   QComboBox *m_operation, *m_metric, *m_coloring, *m_brush;
   Value_slider *m_wavelength, *m_scale, *m_curvature_weight, *m_presmoothing, *m_brush_size;
   QPlainTextEdit* m_command;
+  QString m_command_text;
   const Filter_model* m_model = nullptr;
 
 public:

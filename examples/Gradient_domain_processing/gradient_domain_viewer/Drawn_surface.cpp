@@ -62,6 +62,9 @@ void Drawn_surface::set_points(const std::vector<Point>& points)
 
 void Drawn_surface::set_colors(const std::vector<Rgb>& colors)
 {
+  if(colors == m_shown)
+    return; // they need not be sent to the screen again
+  m_shown = colors;
   for(std::size_t v = 0; v < colors.size(); ++v)
     m_colors->SetTypedTuple(vtkIdType(v), colors[v].data());
   m_colors->Modified();

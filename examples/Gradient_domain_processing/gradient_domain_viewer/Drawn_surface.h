@@ -34,6 +34,7 @@ class Drawn_surface
   vtkNew<vtkPoints> m_points;
   vtkNew<vtkPolyData> m_data;
   vtkNew<vtkUnsignedCharArray> m_colors;
+  std::vector<Rgb> m_shown; // those that m_colors has
   vtkNew<vtkPolyDataMapper> m_mapper;
   vtkNew<vtkActor> m_actor;
 

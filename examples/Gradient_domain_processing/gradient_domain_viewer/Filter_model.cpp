@@ -217,7 +217,7 @@ std::string Filter_model::command(const std::string& output) const
 {
   std::string text = program;
   for(const std::string& word : command_words(output))
-    text += " " + quoted(word);
+    text += (word.compare(0, 2, "--") == 0 ? " \\\n  " : " ") + quoted(word);
   return text;
 }
 

@@ -184,7 +184,7 @@ private:
     }
     std::nth_element(milliseconds.begin(), milliseconds.begin() + times / 2, milliseconds.end());
     std::cout << name << ": " << milliseconds[std::size_t(times / 2)] << " ms from slider to screen (median of "
-              << times << ")" << std::endl;
+              << times << "); " << m_window.statusBar()->currentMessage().toStdString() << std::endl;
   }
 
   void expect(const std::string& text)

@@ -129,11 +129,11 @@ void Viewer_window::filter()
   guarded([&] {
     statusBar()->clearMessage();
     m_model->set(m_panel->settings());
-    const qint64 milliseconds = clock.elapsed();
+    const double milliseconds = double(clock.nsecsElapsed()) * 1e-6;
     show_colors();
     if(m_panel->coloring() == Coloring::PLAIN)
       statusBar()->showMessage(QString("%1 vertices, %2 faces; filtered in %3 ms")
-                                 .arg(m_model->points().size()).arg(m_model->polygons().size()).arg(milliseconds));
+                                 .arg(m_model->points().size()).arg(m_model->polygons().size()).arg(milliseconds, 0, 'f', 1));
   });
   m_panel->show_command();
 }
