@@ -108,7 +108,9 @@ function(gradient_domain_processing_filter)
   endif()
   gradient_domain_processing_drawing()
   if(TARGET gradient_domain_drawing)
-    target_compile_definitions(gradient_domain_filter_parts PUBLIC GRADIENT_DOMAIN_FILTER_HAS_PICTURES)
+    # where it counts only: the rest need not be compiled again
+    set_source_files_properties(${folder}/gradient_domain_filter/check_options.cpp ${source}
+      PROPERTIES COMPILE_DEFINITIONS GRADIENT_DOMAIN_FILTER_HAS_PICTURES)
   endif()
   add_executable(gradient_domain_filter ${source})
   set_target_properties(gradient_domain_filter PROPERTIES CXX_EXTENSIONS OFF)
