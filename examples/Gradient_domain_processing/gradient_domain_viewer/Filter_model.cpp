@@ -215,9 +215,10 @@ std::vector<std::string> Filter_model::command_words(const std::string& output) 
 
 std::string Filter_model::command(const std::string& output) const
 {
+  const std::vector<std::string> words = command_words(output);
   std::string text = program;
-  for(const std::string& word : command_words(output))
-    text += (word.compare(0, 2, "--") == 0 ? " \\\n  " : " ") + quoted(word);
+  for(std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 || words[i].compare(0, 2, "--") == 0 ? " \\\n  " : " ") + quoted(words[i]);
   return text;
 }
 

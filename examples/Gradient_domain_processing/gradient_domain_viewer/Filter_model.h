@@ -73,7 +73,7 @@ public:
 
   // The words after the program's name that do the same. With paint, the input is the file that save_painting() writes.
   std::vector<std::string> command_words(const std::string& output) const;
-  // The same for a shell, an option a line.
+  // The same for a shell, in lines.
   std::string command(const std::string& output) const;
   std::string painting_path() const;
   bool is_painting_saved() const { return m_is_painting_saved; }

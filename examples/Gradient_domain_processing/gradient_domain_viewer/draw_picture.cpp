@@ -23,7 +23,7 @@
 
 namespace {
 
-constexpr int panel_width = 560, panel_height = 520, number_of_panels = 3;
+constexpr int panel_width = 480, panel_height = 460, number_of_panels = 3;
 
 void add_panel(vtkRenderWindow* window, int place, vtkActor* actor, vtkCamera* camera, const std::string& caption)
 {
@@ -34,7 +34,7 @@ void add_panel(vtkRenderWindow* window, int place, vtkActor* actor, vtkCamera* c
   renderer->SetActiveCamera(camera);
   vtkNew<vtkTextActor> text;
   text->SetInput(caption.c_str());
-  text->SetPosition(12, 10);
+  text->SetPosition(12, 8);
   text->GetTextProperty()->SetFontSize(15);
   text->GetTextProperty()->SetColor(0.15, 0.15, 0.15);
   renderer->AddViewProp(text);
@@ -42,7 +42,7 @@ void add_panel(vtkRenderWindow* window, int place, vtkActor* actor, vtkCamera* c
   if(place == 0) // all look from where the first sees all
   {
     renderer->ResetCamera();
-    camera->Zoom(1.45);
+    camera->Zoom(1.15);
   }
   renderer->ResetCameraClippingRange();
 }
