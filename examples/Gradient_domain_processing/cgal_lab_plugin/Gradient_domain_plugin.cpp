@@ -116,7 +116,8 @@ private:
       return box;
     };
     m_operation = choice(tr("Operation"), {tr("smooth"), tr("sharpen"), tr("denoise (chooses its parameters)")});
-    m_gradient_weight = number(tr("Gradient weight"), tr("1e-6 (fine noise) to 1e-2, in units of the area"), 1e-4, 1, 7);
+    m_gradient_weight =
+      number(tr("Gradient weight"), tr("1e-6 (fine noise) to 1e-2, in units of the area"), 1e-4, 1, 7);
     m_gradient_scale = number(tr("Scale, to sharpen"), tr("how much steeper the surface gets"), 2, 100, 2);
     m_metric = choice(tr("Metric"), {tr("embedding"), tr("edge aware"), tr("anisotropic"), tr("preserve convex"),
                                      tr("preserve concave")});

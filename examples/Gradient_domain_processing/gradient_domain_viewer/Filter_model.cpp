@@ -22,7 +22,8 @@ namespace GDP = CGAL::Gradient_domain_processing;
 namespace {
 
 constexpr const char* program = "gradient_domain_filter";
-constexpr const char* metric_names[] = {"embedding", "edge-aware", "anisotropic", "preserve-convex", "preserve-concave"};
+constexpr const char* metric_names[] = {"embedding", "edge-aware", "anisotropic", "preserve-convex",
+                                        "preserve-concave"};
 constexpr const char* property_names[number_of_brushes] = {"region", "constrained", "gradient_scale"};
 
 Mesh_file read_file(const std::string& path)

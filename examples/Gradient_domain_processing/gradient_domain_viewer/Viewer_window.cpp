@@ -100,7 +100,9 @@ void Viewer_window::choose_file()
 
 void Viewer_window::choose_output()
 {
-  const QString path = m_model ? QFileDialog::getSaveFileName(this, "Save the result", QString(), file_kinds) : QString();
+  if(!m_model)
+    return;
+  const QString path = QFileDialog::getSaveFileName(this, "Save the result", QString(), file_kinds);
   if(!path.isEmpty())
     save(path.toStdString());
 }
@@ -133,7 +135,9 @@ void Viewer_window::filter()
     show_colors();
     if(m_panel->coloring() == Coloring::PLAIN)
       statusBar()->showMessage(QString("%1 vertices, %2 faces; filtered in %3 ms")
-                                 .arg(m_model->points().size()).arg(m_model->polygons().size()).arg(milliseconds, 0, 'f', 1));
+                                 .arg(m_model->points().size())
+                                 .arg(m_model->polygons().size())
+                                 .arg(milliseconds, 0, 'f', 1));
   });
   m_panel->show_command();
 }

@@ -25,6 +25,24 @@ namespace {
 
 constexpr int panel_width = 480, panel_height = 460, number_of_panels = 3;
 
+// On the broadest side, along z if that is as good; a little from the side and from above.
+void aim(vtkCamera* camera, const double* bounds)
+{
+  const auto extent = [&](int i) { return bounds[2 * i + 1] - bounds[2 * i]; };
+  int axis = 2;
+  for(int i : {0, 1})
+    if(extent(i) < 0.85 * extent(axis))
+      axis = i;
+  const int up = axis == 1 ? 2 : 1, side = 3 - axis - up;
+  double from[3], above[3] = {0, 0, 0};
+  from[axis] = 1;
+  from[side] = 0.42;
+  from[up] = 0.34;
+  above[up] = 1;
+  camera->SetPosition(from);
+  camera->SetViewUp(above);
+}
+
 void add_panel(vtkRenderWindow* window, int place, vtkActor* actor, vtkCamera* camera, const std::string& caption)
 {
   vtkNew<vtkRenderer> renderer;
@@ -82,7 +100,7 @@ std::string picture_of(const std::vector<Point>& before, const std::vector<Point
   window->SetMultiSamples(0);
   window->SetSize(number_of_panels * panel_width, panel_height);
   vtkNew<vtkCamera> camera;
-  camera->SetPosition(0.42, 0.34, 1); // a little from the side and from above
+  aim(camera, original.actor()->GetBounds());
   add_panel(window, 0, original.actor(), camera, "before");
   add_panel(window, 1, result.actor(), camera, "after");
   add_panel(window, 2, heat.actor(), camera, map.legend);

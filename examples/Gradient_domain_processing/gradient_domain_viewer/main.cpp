@@ -23,10 +23,10 @@
 namespace {
 
 constexpr const char* usage = "gradient_domain_viewer [MESH] [--script FILE]\n\n"
-                              "Moves the weights of the filters and shows what they make of the mesh. The window has the\n"
-                              "command line of gradient_domain_filter that does the same. A script works the window,\n"
-                              "one command a line, and ends it: open, save, set, press, turn, drag, space, screenshot,\n"
-                              "measure, expect.\n";
+                              "Moves the weights of the filters and shows what they make of the mesh. The window has\n"
+                              "the command line of gradient_domain_filter that does the same. A script works the\n"
+                              "window, one command a line, and ends it: open, save, set, press, turn, drag, space,\n"
+                              "screenshot, measure, expect.\n";
 
 void run_script_file(const std::string& path, Viewer_window& window)
 {
