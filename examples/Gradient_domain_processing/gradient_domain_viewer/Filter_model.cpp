@@ -124,6 +124,7 @@ void Filter_model::solve()
   const int solutions = prepared->number_of_solutions();
   throw_unless_ok(prepared->set(m_settings, m_smoothed), m_file.name, prepared->clock());
   m_number_of_solutions += prepared->number_of_solutions() - solutions;
+  m_why_unchanged = prepared->why_unchanged();
   m_prepared = std::move(prepared);
 }
 
@@ -134,6 +135,7 @@ void Filter_model::run_command()
   Filter_facts facts;
   throw_unless_ok(filter_mesh(parsed(command_words("result.ply")), file, clock, facts), m_file.name, clock);
   m_points = std::move(file.points);
+  m_why_unchanged = facts.why_unchanged;
   ++m_number_of_solutions;
 }
 
@@ -267,9 +269,13 @@ std::vector<std::string> Filter_model::save(const std::string& path) const
   throw_unless_ok(filter_mesh(options, file, clock, facts), m_file.name, clock);
   file.vertex_columns.resize(m_file.vertex_columns.size()); // without the paint
   update_normals(m_file.points, file);
-  std::vector<std::string> lost = not_kept(file, form);
+  std::vector<std::string> sentences;
+  for(const std::string& lost : not_kept(file, form))
+    sentences.push_back("not kept: " + lost);
+  if(!facts.why_unchanged.empty())
+    sentences.push_back("nothing has changed: " + facts.why_unchanged);
   std::string contents = mesh_file_contents(file, form);
   output.write(is_compressed_name(path) ? packed(contents) : std::move(contents));
   output.commit();
-  return lost;
+  return sentences;
 }

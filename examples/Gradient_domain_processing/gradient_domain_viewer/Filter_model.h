@@ -40,6 +40,7 @@ class Filter_model
   std::vector<Point> m_points;
   std::unique_ptr<Prepared_filter> m_prepared;
   int m_number_of_solutions = 0;
+  std::string m_why_unchanged;
   bool m_is_painting_saved = true;
 
 public:
@@ -54,6 +55,9 @@ public:
   const Wavelengths& wavelengths() const { return m_wavelengths; }
   const Filter_settings& settings() const { return m_settings; }
   const Painting& painting() const { return m_painting; }
+
+  // Why the filter has found nothing to do; empty if it has.
+  const std::string& why_unchanged() const { return m_why_unchanged; }
 
   // How often a system was solved: not for a new lambda.
   int number_of_solutions() const { return m_number_of_solutions; }
@@ -79,8 +83,8 @@ public:
   bool is_painting_saved() const { return m_is_painting_saved; }
   void save_painting();
 
-  // Does what the command line says and writes the file. Returns what should be known of it. Throws Failure, or
-  // Usage_error for a name that is none.
+  // Does what the command line says and writes the file. Returns, in sentences, what should be known of it. Throws
+  // Failure, or Usage_error for a name that is none.
   std::vector<std::string> save(const std::string& output) const;
 
 private:

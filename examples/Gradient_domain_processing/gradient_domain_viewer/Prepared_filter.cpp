@@ -28,6 +28,7 @@ struct Prepared_filter::Solver
   std::optional<Domain_solver> solver;
   std::optional<Filter_settings> last;
   int number_of_solutions = 0;
+  std::string why_unchanged;
 
   Solver(const Options& o, Mesh_file painted)
     : options(o), file(std::move(painted)), input(options, file),
@@ -70,11 +71,18 @@ struct Prepared_filter::Solver
   {
     if(last && last->gradient_weight == s.gradient_weight && is_same_metric(*last, s))
       return GDP::ok;
-    if(input.has_region && input.region.empty())
-    {
+    Filter_facts facts;
+    const Error_code code = in_region(input, facts, [&](const auto&...) { return solve(s, smoothed); });
+    if(code == GDP::ok)
+      last = s;
+    if(!facts.why_unchanged.empty())
       smoothed = file.points;
-      return GDP::ok;
-    }
+    why_unchanged = facts.why_unchanged;
+    return code;
+  }
+
+  Error_code solve(const Filter_settings& s, std::vector<Point>& smoothed)
+  {
     if(const Error_code code = solver ? solver->set_gradient_weight(s.gradient_weight) : prepare(s.gradient_weight))
       return code;
     if(!last || !is_same_metric(*last, s))
@@ -84,7 +92,6 @@ struct Prepared_filter::Solver
     if(const Error_code code = solver->filter(Array_map<Point>{&file.points}, Array_map<Point>{&result}))
       return code;
     smoothed = std::move(result);
-    last = s;
     ++number_of_solutions;
     return GDP::ok;
   }
@@ -102,5 +109,7 @@ Error_code Prepared_filter::set(const Filter_settings& settings, std::vector<Poi
 }
 
 int Prepared_filter::number_of_solutions() const { return m_solver->number_of_solutions; }
+
+const std::string& Prepared_filter::why_unchanged() const { return m_solver->why_unchanged; }
 
 const Stage_clock& Prepared_filter::clock() const { return m_solver->clock; }

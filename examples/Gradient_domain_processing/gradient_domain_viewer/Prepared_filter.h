@@ -13,6 +13,7 @@
 #include <CGAL/Gradient_domain_processing/Error_code.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 struct Filter_settings;
@@ -32,6 +33,7 @@ public:
   CGAL::Gradient_domain_processing::Error_code set(const Filter_settings& settings, std::vector<Point>& smoothed);
 
   int number_of_solutions() const;
+  const std::string& why_unchanged() const; // empty if anything may have
   const Stage_clock& clock() const;
 };
 

@@ -109,10 +109,10 @@ void Viewer_window::choose_output()
 
 void Viewer_window::save(const std::string& path)
 {
-  QString lost;
-  for(const std::string& what : m_model->save(path))
-    lost += (lost.isEmpty() ? "; not kept: " : ", ") + QString::fromStdString(what);
-  statusBar()->showMessage("Saved " + QString::fromStdString(path) + lost);
+  std::string message = "Saved " + path;
+  for(const std::string& sentence : m_model->save(path))
+    message += "; " + sentence;
+  statusBar()->showMessage(QString::fromStdString(message));
 }
 
 void Viewer_window::save_painting()
@@ -133,7 +133,9 @@ void Viewer_window::filter()
     m_model->set(m_panel->settings());
     const double milliseconds = double(clock.nsecsElapsed()) * 1e-6;
     show_colors();
-    if(m_panel->coloring() == Coloring::PLAIN)
+    if(!m_model->why_unchanged().empty())
+      statusBar()->showMessage("Nothing has changed: " + QString::fromStdString(m_model->why_unchanged()));
+    else if(m_panel->coloring() == Coloring::PLAIN)
       statusBar()->showMessage(QString("%1 vertices, %2 faces; filtered in %3 ms")
                                  .arg(m_model->points().size())
                                  .arg(m_model->polygons().size())

@@ -60,7 +60,7 @@ void add_panel(vtkRenderWindow* window, int place, vtkActor* actor, vtkCamera* c
   if(place == 0) // all look from where the first sees all
   {
     renderer->ResetCamera();
-    camera->Zoom(1.15);
+    camera->Zoom(1.05);
   }
   renderer->ResetCameraClippingRange();
 }

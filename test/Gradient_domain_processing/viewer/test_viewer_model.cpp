@@ -200,6 +200,17 @@ void test_connected_dab(const std::string& path)
     GDP_CHECK(is_within || !model.painting().is_painted(Brush::REGION, v));
   }
   GDP_CHECK(painted > 10 && painted <= within);
+  model.wipe_off();
+  GDP_CHECK(model.paint(Brush::REGION, center, 1e-9)); // a vertex, and no face
+  for(double weight : {1e-3, 1e-4})
+  {
+    model.set(with(weight, 3));
+    GDP_CHECK(!model.why_unchanged().empty() && model.points() == points);
+  }
+  GDP_CHECK(model.save("region.off").size() == 1);
+  model.wipe_off();
+  model.filter();
+  GDP_CHECK(model.why_unchanged().empty() && model.points() != points);
 }
 
 void test_saving(const std::string& path)
