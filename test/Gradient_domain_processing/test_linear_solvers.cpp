@@ -165,6 +165,7 @@ void check_automatic_solver()
   task.cores = 16;
   GDP_CHECK(GDP::internal::multigrid_pays(task, 1e12));
   task.solutions_of_each = 100;
+  task.cores = 2;
   GDP_CHECK(!GDP::internal::multigrid_pays(task, 1e12));
   task.solutions_of_each = 1;
   task.is_of_second_order = true;

@@ -5,6 +5,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Report.h"
+#include "files/file_blocks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -107,6 +108,11 @@ struct Range
     low = x < low ? x : low; // NaN is not
     high = x > high ? x : high;
   }
+  void add(const Range& range)
+  {
+    low = (std::min)(low, range.low);
+    high = (std::max)(high, range.high);
+  }
   double extent() const { return high > low ? high - low : 0; }
 };
 
@@ -173,19 +179,21 @@ void add_survey(const Survey& survey, Json_object& all)
 
 } // namespace
 
-bool Report::measure(const std::vector<std::vector<double> >& before, const std::vector<std::vector<double> >& after)
+namespace {
+
+// What a block of vertices or faces has to say.
+struct Block_changes
 {
-  const std::size_t n = after.empty() ? 0 : after[0].size();
-  if(before.size() != after.size())
-  {
-    changed_values = n;
-    return true;
-  }
-  const bool has_parts = survey && survey->part_of_vertex.size() == n;
-  displacement_of_part.assign(has_parts ? survey->parts.size() : 0, 0.);
+  std::size_t changed = 0;
+  double largest = 0, sum = 0;
   bool is_filled = false;
-  std::vector<Range> was(after.size()), is(after.size()); // of what has changed
-  for(std::size_t i = 0; i < n; ++i)
+  std::vector<Range> was, is; // of what has changed, by channel
+
+  explicit Block_changes(std::size_t channels) : was(channels), is(channels) {}
+
+  // How far a value has moved.
+  double add(const std::vector<std::vector<double> >& before, const std::vector<std::vector<double> >& after,
+             std::size_t i)
   {
     double change = 0;
     bool is_changed = false;
@@ -202,26 +210,68 @@ bool Report::measure(const std::vector<std::vector<double> >& before, const std:
       was[c].add(before[c][i]);
       is[c].add(after[c][i]);
     }
-    changed_values += is_changed;
-    max_displacement = (std::max)(max_displacement, change);
-    mean_displacement += change / double(n);
-    if(has_parts && survey->part_of_vertex[i] >= 0)
+    changed += is_changed;
+    largest = (std::max)(largest, change);
+    sum += change;
+    return change;
+  }
+
+  void add(const Block_changes& block)
+  {
+    changed += block.changed;
+    largest = (std::max)(largest, block.largest);
+    sum += block.sum;
+    is_filled = is_filled || block.is_filled;
+    for(std::size_t c = 0; c < was.size(); ++c)
     {
-      double& most = displacement_of_part[std::size_t(survey->part_of_vertex[i])];
-      most = (std::max)(most, change);
+      was[c].add(block.was[c]);
+      is[c].add(block.is[c]);
     }
   }
+};
+
+} // namespace
+
+bool Report::measure(const std::vector<std::vector<double> >& before, const std::vector<std::vector<double> >& after)
+{
+  const std::size_t n = after.empty() ? 0 : after[0].size();
+  if(before.size() != after.size())
+  {
+    changed_values = n;
+    return true;
+  }
+  std::vector<double> change(n);
+  std::vector<Block_changes> blocks(n / records_of_block + 1, Block_changes(after.size()));
+  for_each_block_of_records(n, [&](std::size_t begin, std::size_t end) {
+    for(std::size_t i = begin; i < end; ++i)
+      change[i] = blocks[begin / records_of_block].add(before, after, i);
+  });
+  Block_changes all(after.size());
+  for(const Block_changes& block : blocks)
+    all.add(block);
+  changed_values = all.changed;
+  max_displacement = all.largest;
+  mean_displacement = n > 0 ? all.sum / double(n) : 0;
+
+  const bool has_parts = survey && survey->part_of_vertex.size() == n;
+  displacement_of_part.assign(has_parts ? survey->parts.size() : 0, 0.);
+  for(std::size_t i = 0; i < n && has_parts; ++i)
+    if(survey->part_of_vertex[i] >= 0)
+    {
+      double& most = displacement_of_part[std::size_t(survey->part_of_vertex[i])];
+      most = (std::max)(most, change[i]);
+    }
   double rounding = 0, extent_before = 0, extent_after = 0;
   for(std::size_t c = 0; c < after.size() && changed_values > 0; ++c)
   {
-    rounding =
-      (std::max)({rounding, 1e-12 * is[c].extent(), 1e-15 * std::abs(is[c].high), 1e-15 * std::abs(is[c].low)});
-    extent_before = (std::max)(extent_before, was[c].extent());
-    extent_after = (std::max)(extent_after, is[c].extent());
+    rounding = (std::max)({rounding, 1e-12 * all.is[c].extent(), 1e-15 * std::abs(all.is[c].high),
+                           1e-15 * std::abs(all.is[c].low)});
+    extent_before = (std::max)(extent_before, all.was[c].extent());
+    extent_after = (std::max)(extent_after, all.is[c].extent());
   }
   if(extent_before > 0)
     extent_ratio = extent_after / extent_before;
-  return is_filled || (changed_values > 0 && max_displacement > rounding);
+  return all.is_filled || (changed_values > 0 && max_displacement > rounding);
 }
 
 namespace {

@@ -30,8 +30,7 @@ int number_of_matrices(const Options& options)
 {
   if(options.operation == Operation::ENHANCE_DETAILS)
     return 2;
-  const bool is_presmoothed =
-    options.has_metric() && options.curvature == CGAL::Gradient_domain_processing::Curvature_estimator::NORMALS;
+  const bool is_presmoothed = options.has_metric() && options.presmoothing_weight > 0;
   return options.iterations * (1 + is_presmoothed + (options.signal == Signal_kind::NORMAL_TO_POSITION));
 }
 

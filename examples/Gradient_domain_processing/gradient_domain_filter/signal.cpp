@@ -7,6 +7,7 @@
 #include "signal.h"
 #include "Failure.h"
 #include "files/Colors.h"
+#include "files/file_blocks.h"
 #include "normals.h"
 
 #include <algorithm>
@@ -188,13 +189,14 @@ std::vector<std::vector<double> > signal_values(const Options& options, const Me
 {
   std::vector<std::vector<double> > values;
   if(options.moves_vertices())
-    for(int i = 0; i < 3; ++i)
-    {
-      values.emplace_back();
-      values.back().reserve(file.points.size());
-      for(const Point& p : file.points)
-        values.back().push_back(p[i]);
-    }
+  {
+    values.assign(3, std::vector<double>(file.points.size()));
+    for_each_block_of_records(file.points.size(), [&](std::size_t begin, std::size_t end) {
+      for(std::size_t v = begin; v < end; ++v)
+        for(int i = 0; i < 3; ++i)
+          values[std::size_t(i)][v] = file.points[v][i];
+    });
+  }
   const Columns& normals = file.normal_columns.has_normals() ? file.normal_columns : file.vertex_columns;
   if(options.signal == Signal_kind::NORMAL && normals.has_normals())
     for(const char* name : normal_names)

@@ -21,10 +21,9 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// The times are seconds of one core of 2024, of which only ratios matter. Constants were set by the stages of a noisy,
-// subdivided scan of 200 and 800 thousand vertices under the metric of the embedding, on two threads of an idle
-// machine; there both solvers take the same time, and from four cores on conjugate gradients take less. The factor of a
-// metric and the shares of one core are guesses from a few runs.
+// The times are seconds of one core of 2024, of which only ratios matter. Constants were set by the stages of a closed
+// scan of 967 thousand vertices under the metric of the embedding on 1 to 16 threads of an idle machine, and looked at
+// on one of 800 thousand with needles and on a torus of 10 million. The factor of a metric is a guess from a few runs.
 inline double on_cores(double seconds, double share_of_one_core, unsigned cores)
 {
   return seconds * (share_of_one_core + (1 - share_of_one_core) / double(cores));
@@ -42,9 +41,9 @@ inline double multigrid_time(const Solver_task& task)
 {
   const double n = double(task.unknowns), quadruples = std::ceil(task.channels / 4.);
   return task.matrices
-         * (on_cores(3.4e-6 * n, 0.3, task.cores)
+         * (on_cores(1.3e-6 * n, 0.15, task.cores)
             + task.solutions_of_each * quadruples
-                * on_cores(1.95e-7 * n * multigrid_iterations(task), 0.07, task.cores));
+                * on_cores(8.6e-8 * n * multigrid_iterations(task), 0.07, task.cores));
 }
 
 inline double cholesky_time(const Solver_task& task)
@@ -55,7 +54,7 @@ inline double cholesky_time(const Solver_task& task)
   const double sparse = 2.5e-6, dense = 3.2e-8;
 #endif
   const double n = double(task.unknowns);
-  return on_cores(2.7e-6 * n, 0.33, task.cores)
+  return on_cores(2.3e-6 * n, 0.33, task.cores)
          + task.matrices
              * (sparse * n + dense * n * std::sqrt(n) + task.solutions_of_each * task.channels * 1.2e-7 * n);
 }

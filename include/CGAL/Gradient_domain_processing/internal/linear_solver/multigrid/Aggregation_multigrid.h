@@ -92,7 +92,7 @@ public:
       if(p.columns == 0)
         return true;
       level.prolongation = in_single_precision(p);
-      restriction = transpose(p);
+      restriction = transpose(p, m_parallel);
       matrix = galerkin_product(*finer, p, restriction, m_parallel);
       finer = &matrix;
     }
@@ -103,14 +103,22 @@ public:
 
   // To be called before a series of apply(), with the largest right-hand side, which is left as it was.
   template <int K>
-  void begin(std::vector<double>& b)
+  void begin(Untouched_vector<double>& b)
   {
     m_elimination.restrict_to<K>(b);
     const std::vector<double>& inverse_diagonal = m_levels.front().smoother.inverse_diagonal();
+    const std::size_t n = inverse_diagonal.size();
+    std::vector<Channels<K> > largest_of_block(n / block_size + 1, Channels<K>(Channels<K>::Zero()));
+    for_each_block(m_parallel, n, block_size, [&](std::size_t begin, std::size_t end) {
+      Channels<K> largest = Channels<K>::Zero();
+      for(std::size_t i = begin; i < end; ++i)
+        for(int c = 0; c < K; ++c)
+          largest[c] = (std::max)(largest[c], std::abs(b[K * i + c] * inverse_diagonal[i]));
+      largest_of_block[begin / block_size] = largest;
+    });
     Channels<K> largest = Channels<K>::Zero();
-    for(std::size_t i = 0; i < inverse_diagonal.size(); ++i)
-      for(int c = 0; c < K; ++c)
-        largest[c] = (std::max)(largest[c], std::abs(b[K * i + c] * inverse_diagonal[i]));
+    for(const Channels<K>& of_block : largest_of_block)
+      largest = largest.max(of_block);
     m_elimination.undo_restriction<K>(b);
     for(int c = 0; c < K; ++c)
       m_scale[c] =
@@ -127,7 +135,7 @@ public:
   // x = V b for K channels that lie together. Returns their products b . x. `before(begin, end)` is called before these
   // rows of b are read, so that they are in the cache. After that b is left as it was.
   template <int K, class Before>
-  Channels<K> apply(std::vector<double>& b, std::vector<double>& x, const Before& before)
+  Channels<K> apply(Untouched_vector<double>& b, Untouched_vector<double>& x, const Before& before)
   {
     if(m_elimination.empty())
       return cycle_from_double<K>(b, x, before);
@@ -143,7 +151,8 @@ private:
   static constexpr std::size_t block_size = 8192;
 
   template <int K, class Before>
-  Channels<K> cycle_from_double(const std::vector<double>& b, std::vector<double>& x, const Before& before)
+  Channels<K> cycle_from_double(const Untouched_vector<double>& b, Untouched_vector<double>& x,
+                                const Before& before)
   {
     Level& finest = m_levels.front();
     const std::size_t block = finest.smoother.block_size();
@@ -259,13 +268,17 @@ private:
     });
   }
 
-  static Sparse_rows<float> in_single_precision(const Matrix& a)
+  Sparse_rows<float> in_single_precision(const Matrix& a) const
   {
     Sparse_rows<float> result;
     result.columns = a.columns;
     result.offset = a.offset;
-    result.column = a.column;
-    result.value.assign(a.value.begin(), a.value.end());
+    result.column.resize(a.column.size());
+    result.value.resize(a.value.size());
+    for_each_block(m_parallel, a.value.size(), 1 << 16, [&](std::size_t begin, std::size_t end) {
+      std::copy(a.column.begin() + begin, a.column.begin() + end, result.column.begin() + begin);
+      std::copy(a.value.begin() + begin, a.value.begin() + end, result.value.begin() + begin);
+    });
     return result;
   }
 

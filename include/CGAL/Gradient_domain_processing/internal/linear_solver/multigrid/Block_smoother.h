@@ -14,6 +14,7 @@
 
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/multigrid/Lanes.h>
 #include <CGAL/Gradient_domain_processing/internal/linear_solver/multigrid/Sparse_rows.h>
+#include <CGAL/Gradient_domain_processing/internal/parallel/Untouched_vector.h>
 #include <CGAL/Gradient_domain_processing/internal/parallel/parallel_blocks.h>
 
 #include <algorithm>
@@ -37,8 +38,9 @@ class Block_smoother
   std::vector<double> m_inverse_diagonal; // of D
 
   // In every row the entries within its block, those before the diagonal, then those after it.
-  std::vector<int> m_offset, m_middle, m_column;
-  std::vector<float> m_value;
+  std::vector<int> m_offset, m_middle;
+  Untouched_vector<int> m_column;
+  Untouched_vector<float> m_value;
 
   // The others, of rows that have any; on the diagonal stands, with a minus, what was added to it.
   std::vector<int> m_outer_row, m_outer_offset, m_outer_column;

@@ -84,19 +84,24 @@ private:
   }
 
   // Symmetric: its columns are its rows.
-  static Sparse_rows<double> rows_of(const Eigen::SparseMatrix<double>& matrix)
+  Sparse_rows<double> rows_of(const Eigen::SparseMatrix<double>& matrix) const
   {
-    Sparse_rows<double> rows;
-    rows.columns = int(matrix.rows());
     if(!matrix.isCompressed())
     {
       Eigen::SparseMatrix<double> compressed = matrix;
       compressed.makeCompressed();
       return rows_of(compressed);
     }
+    const std::size_t size = std::size_t(matrix.nonZeros());
+    Sparse_rows<double> rows;
+    rows.columns = int(matrix.rows());
     rows.offset.assign(matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.cols() + 1);
-    rows.column.assign(matrix.innerIndexPtr(), matrix.innerIndexPtr() + matrix.nonZeros());
-    rows.value.assign(matrix.valuePtr(), matrix.valuePtr() + matrix.nonZeros());
+    rows.column.resize(size);
+    rows.value.resize(size);
+    for_each_block(parallel, size, 1 << 16, [&](std::size_t begin, std::size_t end) {
+      std::copy(matrix.innerIndexPtr() + begin, matrix.innerIndexPtr() + end, rows.column.begin() + begin);
+      std::copy(matrix.valuePtr() + begin, matrix.valuePtr() + end, rows.value.begin() + begin);
+    });
     return rows;
   }
 
@@ -106,10 +111,13 @@ private:
   bool solve(const Eigen::MatrixXd& right, int first, Eigen::MatrixXd& solution, const std::function<bool()>& go_on)
   {
     const std::size_t n = right.rows();
-    std::vector<double> x(K * n, 0.), r(K * n), p(K * n, 0.), z(K * n);
+    Untouched_vector<double> x(K * n), r(K * n), p(K * n), z(K * n);
     for_each_row(n, [&](std::size_t i) {
       for(int c = 0; c < K; ++c)
+      {
         r[K * i + c] = right(i, first + c);
+        x[K * i + c] = p[K * i + c] = 0;
+      }
     });
 
     Channels<K> step = Channels<K>::Zero(), curvature;
@@ -173,7 +181,7 @@ private:
 
   // q = A p; returns p . q
   template <int K>
-  Channels<K> product(const std::vector<double>& p, std::vector<double>& q) const
+  Channels<K> product(const Untouched_vector<double>& p, Untouched_vector<double>& q) const
   {
     const Sparse_rows<double>& a = m_preconditioner.finest();
     const Channels<K> zero = Channels<K>::Zero();

@@ -12,6 +12,8 @@
 #ifndef CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_MULTIGRID_SPARSE_ROWS_H
 #define CGAL_GRADIENT_DOMAIN_PROCESSING_INTERNAL_LINEAR_SOLVER_MULTIGRID_SPARSE_ROWS_H
 
+#include <CGAL/Gradient_domain_processing/internal/mesh/Lists.h>
+#include <CGAL/Gradient_domain_processing/internal/parallel/Untouched_vector.h>
 #include <CGAL/Gradient_domain_processing/internal/parallel/parallel_blocks.h>
 
 #include <algorithm>
@@ -23,13 +25,13 @@ namespace CGAL {
 namespace Gradient_domain_processing {
 namespace internal {
 
-// A sparse matrix in compressed rows, as plain arrays.
+// A sparse matrix in compressed rows, as plain arrays; entries are first touched by the threads that set them.
 template <class Real>
 struct Sparse_rows
 {
   std::vector<int> offset; // rows + 1
-  std::vector<int> column;
-  std::vector<Real> value;
+  Untouched_vector<int> column;
+  Untouched_vector<Real> value;
   int columns = 0;
 
   int rows() const { return int(offset.size()) - 1; }
@@ -48,25 +50,27 @@ struct Sparse_rows
 };
 
 template <class Real>
-Sparse_rows<Real> transpose(const Sparse_rows<Real>& a)
+Sparse_rows<Real> transpose(const Sparse_rows<Real>& a, bool parallel)
 {
+  Untouched_vector<int> row_of(a.column.size());
+  for_each_block(parallel, std::size_t(a.rows()), 8192, [&](std::size_t begin, std::size_t end) {
+    for(std::size_t i = begin; i < end; ++i)
+      std::fill(row_of.begin() + a.offset[i], row_of.begin() + a.offset[i + 1], int(i));
+  });
+  Lists entries =
+    numbers_by_key(parallel, a.columns, a.column.size(), [&](std::size_t entry) { return a.column[entry]; });
   Sparse_rows<Real> t;
   t.columns = a.rows();
-  t.offset.assign(a.columns + 1, 0);
-  for(int j : a.column)
-    ++t.offset[j + 1];
-  for(int j = 0; j < a.columns; ++j)
-    t.offset[j + 1] += t.offset[j];
+  t.offset.swap(entries.offsets);
   t.column.resize(a.column.size());
-  t.value.resize(a.value.size());
-  std::vector<int> next(t.offset.begin(), t.offset.end() - 1);
-  for(int i = 0; i < a.rows(); ++i)
-    for(int e = a.offset[i]; e < a.offset[i + 1]; ++e)
+  t.value.resize(a.column.size());
+  for_each_block(parallel, a.column.size(), 1 << 16, [&](std::size_t begin, std::size_t end) {
+    for(std::size_t at = begin; at < end; ++at)
     {
-      const int at = next[a.column[e]]++;
-      t.column[at] = i;
-      t.value[at] = a.value[e];
+      t.column[at] = row_of[std::size_t(entries.items[at])];
+      t.value[at] = a.value[std::size_t(entries.items[at])];
     }
+  });
   return t;
 }
 
@@ -106,10 +110,9 @@ public:
 
   int size() const { return m_begin; }
 
-  // Puts its rows into a matrix whose offsets are those of the rows.
-  void copy_to(Sparse_rows<Real>& matrix, std::size_t first_row) const
+  // Puts its rows into a matrix, the first at `begin`.
+  void copy_to(Sparse_rows<Real>& matrix, std::size_t first_row, int begin) const
   {
-    const int begin = matrix.offset[first_row];
     std::copy(m_column.begin(), m_column.end(), matrix.column.begin() + begin);
     std::copy(m_value.begin(), m_value.end(), matrix.value.begin() + begin);
     for(std::size_t i = 0; i < m_end.size(); ++i)
@@ -138,19 +141,15 @@ Sparse_rows<Real> build_rows(bool parallel, int rows, int columns, const Fill& f
   Sparse_rows<Real> matrix;
   matrix.columns = columns;
   matrix.offset.assign(rows + 1, 0);
-  int size = 0;
-  for(std::size_t b = 0; b < blocks.size(); ++b)
-  {
-    matrix.offset[b * block_size] = size;
-    size += blocks[b].size();
-  }
-  matrix.column.resize(size);
-  matrix.value.resize(size);
-  for(std::size_t b = 0; b < blocks.size(); ++b)
-  {
-    blocks[b].copy_to(matrix, b * block_size);
+  std::vector<int> begins(1, 0);
+  for(const Row_builder<Real>& block : blocks)
+    begins.push_back(begins.back() + block.size());
+  matrix.column.resize(std::size_t(begins.back()));
+  matrix.value.resize(std::size_t(begins.back()));
+  for_each_block(parallel, blocks.size(), 1, [&](std::size_t b, std::size_t) {
+    blocks[b].copy_to(matrix, b * block_size, begins[b]);
     blocks[b] = Row_builder<Real>(0);
-  }
+  });
   return matrix;
 }
 

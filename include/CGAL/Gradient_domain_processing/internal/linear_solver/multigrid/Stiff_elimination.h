@@ -85,7 +85,7 @@ public:
 
   // b = P^T b and, where it was eliminated, b. For K channels that lie together.
   template <int K>
-  void restrict_to(std::vector<double>& b)
+  void restrict_to(Untouched_vector<double>& b)
   {
     m_kept.resize(K * m_touched.size());
     for(std::size_t k = 0; k < m_touched.size(); ++k)
@@ -98,7 +98,7 @@ public:
 
   // b as it was.
   template <int K>
-  void undo_restriction(std::vector<double>& b) const
+  void undo_restriction(Untouched_vector<double>& b) const
   {
     for(std::size_t k = 0; k < m_touched.size(); ++k)
       std::copy_n(&m_kept[K * k], K, &b[K * std::size_t(m_touched[k])]);
@@ -106,7 +106,7 @@ public:
 
   // x = x + P x, where x has D^-1 b at what was eliminated.
   template <int K>
-  void prolongate(std::vector<double>& x) const
+  void prolongate(Untouched_vector<double>& x) const
   {
     for(std::size_t k = m_eliminated.size(); k-- > 0; )
       for(int e = m_offset[k]; e < m_offset[k + 1]; ++e)
@@ -219,7 +219,8 @@ private:
     {
       Matrix result;
       result.columns = m_matrix.columns;
-      result.offset.assign(1, 0);
+      result.offset.reserve(size() + 1);
+      result.offset.push_back(0);
       for(std::size_t i = 0; i < size(); ++i)
         result.offset.push_back(result.offset.back()
                                 + (m_place[i] < 0 ? m_matrix.offset[i + 1] - m_matrix.offset[i]

@@ -40,44 +40,62 @@ inline std::vector<char> strong_couplings(const Sparse_rows<double>& a, double t
   return is_strong;
 }
 
-// An unknown whose strong neighbors are all free makes an aggregate with them; the others join the neighbor they are
-// coupled to most strongly. One without strong neighbors is in none.
+// Block by block: an unknown whose strong neighbors in the block are all free makes an aggregate with them.
+inline int begin_aggregates(const Sparse_rows<double>& a, const std::vector<char>& is_strong, bool parallel,
+                            std::vector<int>& aggregate)
+{
+  constexpr std::size_t block_size = 16384;
+  const std::size_t n = std::size_t(a.rows());
+  aggregate.assign(n, -1);
+  std::vector<int> first(n / block_size + 2, 0); // aggregate of a block
+  for_each_block(parallel, n, block_size, [&](std::size_t begin, std::size_t end) {
+    const auto for_each_neighbor = [&](std::size_t i, const auto& visit) {
+      for(int e = a.offset[i]; e < a.offset[i + 1]; ++e)
+        if(is_strong[e] && std::size_t(a.column[e]) >= begin && std::size_t(a.column[e]) < end)
+          visit(aggregate[a.column[e]]);
+    };
+    int count = 0;
+    for(std::size_t i = begin; i < end; ++i)
+    {
+      if(aggregate[i] >= 0)
+        continue;
+      bool is_free = std::find(is_strong.begin() + a.offset[i], is_strong.begin() + a.offset[i + 1], 1)
+                     != is_strong.begin() + a.offset[i + 1];
+      for_each_neighbor(i, [&](int aggregate_of_neighbor) { is_free = is_free && aggregate_of_neighbor < 0; });
+      if(!is_free)
+        continue;
+      aggregate[i] = count;
+      for_each_neighbor(i, [&](int& aggregate_of_neighbor) { aggregate_of_neighbor = count; });
+      ++count;
+    }
+    first[begin / block_size + 1] = count;
+  });
+  for(std::size_t block = 1; block < first.size(); ++block)
+    first[block] += first[block - 1];
+  for_each_block(parallel, n, block_size, [&](std::size_t begin, std::size_t end) {
+    for(std::size_t i = begin; i < end; ++i)
+      if(aggregate[i] >= 0)
+        aggregate[i] += first[begin / block_size];
+  });
+  return first.back();
+}
+
+// Those that are in no aggregate join that of the neighbor they are coupled to most strongly. One without strong
+// neighbors stays in none.
 inline int aggregate_unknowns(const Sparse_rows<double>& a, const std::vector<char>& is_strong, bool parallel,
                               std::vector<int>& aggregate)
 {
-  const int n = a.rows();
-  int count = 0;
-  aggregate.assign(n, -1);
-  for(int i = 0; i < n; ++i)
-  {
-    if(aggregate[i] >= 0)
-      continue;
-    bool is_free = true, has_neighbors = false;
-    for(int e = a.offset[i]; e < a.offset[i + 1] && is_free; ++e)
-      if(is_strong[e])
-      {
-        has_neighbors = true;
-        is_free = aggregate[a.column[e]] < 0;
-      }
-    if(!is_free || !has_neighbors)
-      continue;
-    aggregate[i] = count;
-    for(int e = a.offset[i]; e < a.offset[i + 1]; ++e)
-      if(is_strong[e])
-        aggregate[a.column[e]] = count;
-    ++count;
-  }
-
-  const std::vector<int> roots = aggregate;
-  for_each_block(parallel, std::size_t(n), 8192, [&](std::size_t begin, std::size_t end) {
+  const int count = begin_aggregates(a, is_strong, parallel, aggregate);
+  const std::vector<int> begun = aggregate;
+  for_each_block(parallel, aggregate.size(), 8192, [&](std::size_t begin, std::size_t end) {
     for(std::size_t i = begin; i < end; ++i)
     {
       double strongest = 0;
-      for(int e = a.offset[i]; roots[i] < 0 && e < a.offset[i + 1]; ++e)
-        if(is_strong[e] && a.value[e] < strongest && roots[a.column[e]] >= 0)
+      for(int e = a.offset[i]; begun[i] < 0 && e < a.offset[i + 1]; ++e)
+        if(is_strong[e] && a.value[e] < strongest && begun[a.column[e]] >= 0)
         {
           strongest = a.value[e];
-          aggregate[i] = roots[a.column[e]];
+          aggregate[i] = begun[a.column[e]];
         }
     }
   });
