@@ -173,6 +173,12 @@ void test_brushes(const std::string& path)
   }
   GDP_CHECK(model.paint(Brush::MASK, center, 0.5));
   model.set(with(1e-3, 3));
+  std::size_t furthest = 0; // is where the mask is
+  for(std::size_t v = 0; v < model.points().size(); ++v)
+    if(CGAL::squared_distance(model.points()[v], model.original_points()[v])
+       > CGAL::squared_distance(model.points()[furthest], model.original_points()[furthest]))
+      furthest = v;
+  GDP_CHECK(model.painting().is_painted(Brush::MASK, furthest));
   GDP_CHECK(!model.is_painting_saved());
   model.save_painting();
   GDP_CHECK(largest_difference(model.points(), commanded(model)) < 1e-12);
