@@ -895,6 +895,43 @@ void test_denoise(const Mesh& mesh)
   fs::remove(folder / "out.ply");
 }
 
+// Two sheets of many vertices, three faces at an edge of the second and one of its faces turned over; a vertex without
+// a face.
+void test_survey_of_many()
+{
+  const int width = 130, sheet = width * width;
+  std::string off;
+  const auto corner = [&](int k, int i, int j) { return std::to_string(k * sheet + i * width + j) + " "; };
+  int faces = 0;
+  for(int k = 0; k < 2; ++k)
+    for(int i = 0; i + 1 < width; ++i)
+      for(int j = 0; j + 1 < width; ++j, ++faces)
+      {
+        const std::string a = corner(k, i, j), b = corner(k, i + 1, j), c = corner(k, i + 1, j + 1),
+                          d = corner(k, i, j + 1);
+        off += "4 " + (k == 1 && i == 126 && j == 64 ? d + c + b + a : a + b + c + d) + "\n";
+      }
+  off += "3 " + corner(1, 128, 5) + corner(1, 128, 6) + std::to_string(2 * sheet) + "\n";
+  std::string points;
+  for(int k = 0; k < 2; ++k)
+    for(int v = 0; v < sheet; ++v)
+      points += std::to_string(v / width) + " " + std::to_string(v % width) + " " + std::to_string(10 * k) + "\n";
+  write(folder / "sheets.off", "OFF\n" + std::to_string(2 * sheet + 2) + " " + std::to_string(faces + 1) + " 0\n"
+                                 + points + "128.5 5.5 12\n7 7 7\n" + off);
+  const Outcome outcome = run("sheets.off out.off --report report.json --gradient-weight 1e-6");
+  GDP_CHECK(outcome.code == 0);
+  const std::string report = contents(folder / "report.json");
+  const int edges = 2 * 2 * width * (width - 1) + 2, border = 2 * 4 * (width - 1) + 2;
+  for(const std::string& said : {"\"edges\": " + std::to_string(edges), "\"border_edges\": " + std::to_string(border),
+                                std::string("\"crowded_edges\": 1"), std::string("\"components\": 2")})
+    GDP_CHECK(report.find(said + ",") != std::string::npos);
+  GDP_CHECK(outcome.err.find("1 edge with more than two faces") != std::string::npos);
+  GDP_CHECK(outcome.err.find("4 edges between faces of which one is turned over") != std::string::npos);
+  GDP_CHECK(outcome.err.find("1 vertex without a face stays as it is") != std::string::npos);
+  for(const char* name : {"sheets.off", "out.off", "report.json"})
+    fs::remove(folder / name);
+}
+
 void test_report(const Mesh& mesh)
 {
   check_succeeds("mesh.off 'a\"b.ply' --report report.json --metric edge-aware");
@@ -1732,6 +1769,7 @@ int main(int argc, char* argv[])
     test_case_files();
     test_denoise(mesh);
     test_report(mesh);
+  test_survey_of_many();
 
     GDP_CHECK(number_of_files() == 2); // nothing is left behind
   }

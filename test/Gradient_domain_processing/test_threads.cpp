@@ -12,6 +12,8 @@
 
 #include <CGAL/Gradient_domain_processing/Conjugate_gradient_solver_traits.h>
 #include <CGAL/Gradient_domain_processing/denoise.h>
+#include <CGAL/Gradient_domain_processing/internal/linear_solver/multigrid/aggregation.h>
+#include <CGAL/Gradient_domain_processing/internal/mesh/Lists.h>
 #include <CGAL/Gradient_domain_processing/smooth.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -21,6 +23,9 @@
 #include <tbb/global_control.h>
 #endif
 
+#include <algorithm>
+#include <cstdlib>
+#include <numeric>
 #include <vector>
 
 using namespace gdp_test;
@@ -63,11 +68,70 @@ void check(const Soup& soup, const Operation& operation)
   GDP_CHECK(result(soup, 4, operation) == expected);
 }
 
+// Enough for several blocks and buckets.
+void check_numbers_by_key()
+{
+  const int number_of_keys = 70001;
+  std::vector<int> keys(200000), wanted(keys.size());
+  for(std::size_t i = 0; i < keys.size(); ++i)
+    keys[i] = int(i * 7919 % 104729) % (number_of_keys - 1); // the last has none
+  std::iota(wanted.begin(), wanted.end(), 0);
+  std::stable_sort(wanted.begin(), wanted.end(),
+                   [&](int i, int j) { return keys[std::size_t(i)] < keys[std::size_t(j)]; });
+  for(const std::size_t size : {std::size_t(0), std::size_t(7), keys.size()})
+  {
+    const auto lists =
+      GDP::internal::numbers_by_key(true, number_of_keys, size, [&](std::size_t i) { return keys[i]; });
+    GDP_CHECK(lists.size() == number_of_keys && lists.items.size() == size);
+    GDP_CHECK(size < keys.size() || lists.items == wanted);
+    for(int key = 0; key < number_of_keys; ++key)
+      GDP_CHECK(std::all_of(lists.begin(key), lists.end(key), [&](int i) { return keys[std::size_t(i)] == key; }));
+  }
+}
+
+// Aggregates are begun block by block: everyone with a strong coupling is in one, whichever side of an end of a block
+// it is on, and in one with somebody it is coupled to.
+void check_aggregates()
+{
+  const int width = 150, n = width * width;
+  const auto is_alone = [&](int i) { return i % 1009 == 0; };
+  const auto grid = GDP::internal::build_rows<double>(true, n, n, [&](std::size_t row_index, auto& row) {
+    const int i = int(row_index);
+    row.add(i, 4.1);
+    for(int j : {i - width, i + width, i % width > 0 ? i - 1 : -1, i % width < width - 1 ? i + 1 : -1})
+      if(j >= 0 && j < n && !is_alone(i) && !is_alone(j))
+        row.add(j, -1);
+  });
+  std::vector<int> aggregate;
+  const int count = GDP::internal::aggregate_unknowns(grid, GDP::internal::strong_couplings(grid, 0.08, true), true,
+                                                      aggregate);
+  GDP_CHECK(count > n / 8 && count < n / 3);
+  std::vector<int> sizes(std::size_t(count), 0);
+  for(int i = 0; i < n; ++i)
+  {
+    GDP_CHECK(is_alone(i) == (aggregate[std::size_t(i)] < 0) && aggregate[std::size_t(i)] < count);
+    if(is_alone(i))
+      continue;
+    ++sizes[std::size_t(aggregate[std::size_t(i)])];
+    bool is_connected = false;
+    for(int e = grid.offset[std::size_t(i)]; e < grid.offset[std::size_t(i) + 1]; ++e)
+    {
+      const int j = grid.column[std::size_t(e)];
+      is_connected = is_connected || (j != i && aggregate[std::size_t(j)] == aggregate[std::size_t(i)]);
+    }
+    GDP_CHECK(is_connected || std::abs(i % 16384 - 8192) > 8192 - width - 1); // alone only where a block ends
+  }
+  GDP_CHECK(*std::min_element(sizes.begin(), sizes.end()) >= 1);
+  GDP_CHECK(*std::max_element(sizes.begin(), sizes.end()) <= 16);
+}
+
 } // namespace
 
 int main()
 {
-  const Soup soup = bumpy_patch(110, 95); // enough vertices for the order of elimination to be found by two threads
+  check_numbers_by_key();
+  check_aggregates();
+  const Soup soup = bumpy_patch(150, 115); // vertices and corners for several blocks
 
   for(const GDP::Curvature_estimator estimator : {GDP::Curvature_estimator::JETS, GDP::Curvature_estimator::NORMALS})
     check(soup, [&](Mesh& mesh, Counting_visitor& visitor) {
