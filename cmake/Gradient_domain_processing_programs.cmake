@@ -2,6 +2,8 @@
 
 include_guard(GLOBAL)
 
+include(${CMAKE_CURRENT_LIST_DIR}/Gradient_domain_processing_viewer.cmake)
+
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES AND PROJECT_IS_TOP_LEVEL)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug, Release, RelWithDebInfo or MinSizeRel" FORCE)
 endif()
@@ -104,7 +106,17 @@ function(gradient_domain_processing_filter)
     target_compile_definitions(gradient_domain_filter_parts PRIVATE GRADIENT_DOMAIN_FILTER_HAS_ZLIB)
     target_link_libraries(gradient_domain_filter_parts PUBLIC Boost::iostreams)
   endif()
+  gradient_domain_processing_drawing()
+  if(TARGET gradient_domain_drawing)
+    # where it counts only: the rest need not be compiled again
+    set_source_files_properties(${folder}/gradient_domain_filter/check_options.cpp ${source}
+      PROPERTIES COMPILE_DEFINITIONS GRADIENT_DOMAIN_FILTER_HAS_PICTURES)
+  endif()
   add_executable(gradient_domain_filter ${source})
   set_target_properties(gradient_domain_filter PROPERTIES CXX_EXTENSIONS OFF)
   target_link_libraries(gradient_domain_filter PRIVATE gradient_domain_filter_parts)
+  if(TARGET gradient_domain_drawing)
+    target_link_libraries(gradient_domain_filter PRIVATE gradient_domain_drawing)
+  endif()
+  gradient_domain_processing_viewer()
 endfunction()

@@ -18,6 +18,10 @@
 #include "gradient_domain_filter/signal.h"
 #include "gradient_domain_filter/why_unchanged.h"
 
+#ifdef GRADIENT_DOMAIN_FILTER_HAS_PICTURES
+#include "gradient_domain_viewer/draw_picture.h"
+#endif
+
 #include <exception>
 #include <functional>
 #include <iostream>
@@ -123,6 +127,26 @@ void say_all(const Options& options, const Report& report, Stage_clock& clock)
     say(clock, options.output_name() + ": not kept: " + joined(report.not_kept));
 }
 
+// Of the surface before, and as it is in the file.
+std::string picture([[maybe_unused]] const std::vector<Point>& before, [[maybe_unused]] const Mesh_file& file)
+{
+#ifdef GRADIENT_DOMAIN_FILTER_HAS_PICTURES
+  const std::vector<Vector> normals = vertex_normals(before, file.polygons);
+  std::vector<double> displacements;
+  for(std::size_t v = 0; v < before.size(); ++v)
+    displacements.push_back((file.points[v] - before[v]) * normals[v]);
+  return picture_of(before, file.points, file.polygons, displacements);
+#else
+  return std::string(); // refused with the options
+#endif
+}
+
+// Where there is a name.
+std::unique_ptr<Output_file> optional_file(const std::string& name)
+{
+  return name.empty() ? nullptr : std::make_unique<Output_file>(name);
+}
+
 std::string eigenvalue_table(const std::vector<double>& eigenvalues)
 {
   std::ostringstream table;
@@ -132,6 +156,24 @@ std::string eigenvalue_table(const std::vector<double>& eigenvalues)
   for(std::size_t i = 0; i < eigenvalues.size(); ++i)
     table << i << "," << eigenvalues[i] << "\n";
   return table.str();
+}
+
+// Consumes the file.
+void write(const Options& options, const Output_form& form, Mesh_file& file, Stage_clock& clock, Report& report,
+           Output_file& output)
+{
+  Timed_stage stage(clock, "write");
+  const std::size_t size = file.text.size(), hash = std::hash<std::string_view>()(file.text);
+  std::string contents = mesh_file_contents(file, form);
+  std::string_view written(contents);
+  if(file.has_mark && written.substr(0, 3) == utf8_mark)
+    written.remove_prefix(3);
+  if(report.why_unchanged.empty() && written.size() == size && std::hash<std::string_view>()(written) == hash)
+  {
+    report.why_unchanged = "all changes are smaller than what the numbers of the file can hold";
+    report.changed_values = 0;
+  }
+  output.write(is_compressed_name(options.output) ? packed(contents) : std::move(contents));
 }
 
 void run(const Options& options)
@@ -144,12 +186,13 @@ void run(const Options& options)
 #endif
   Stage_clock clock(!options.is_quiet && is_terminal());
   Output_file output(options.output);
-  std::unique_ptr<Output_file> report_file;
-  if(!options.report.empty())
-    report_file = std::make_unique<Output_file>(options.report);
-  std::unique_ptr<Output_file> eigenvalue_file;
-  if(!options.eigenvalues.empty())
-    eigenvalue_file = std::make_unique<Output_file>(options.eigenvalues);
+  const std::unique_ptr<Output_file> report_file = optional_file(options.report),
+                                     eigenvalue_file = optional_file(options.eigenvalues),
+                                     picture_file = optional_file(options.picture);
+#ifdef GRADIENT_DOMAIN_FILTER_HAS_PICTURES
+  if(picture_file)
+    check_screen();
+#endif
 
   Mesh_file file;
   Report report;
@@ -161,30 +204,19 @@ void run(const Options& options)
     check_output_form(options, form);
     check_form(file, form, options.output_name());
   }
+  const std::vector<Point> before = picture_file ? file.points : std::vector<Point>();
   filter(options, form, !options.is_quiet || report_file, file, clock, report);
-  {
-    Timed_stage stage(clock, "write");
-    const std::size_t size = file.text.size(), hash = std::hash<std::string_view>()(file.text);
-    std::string contents = mesh_file_contents(file, form);
-    std::string_view written(contents);
-    if(file.has_mark && written.substr(0, 3) == utf8_mark)
-      written.remove_prefix(3);
-    if(report.why_unchanged.empty() && written.size() == size && std::hash<std::string_view>()(written) == hash)
-    {
-      report.why_unchanged = "all changes are smaller than what the numbers of the file can hold";
-      report.changed_values = 0;
-    }
-    output.write(is_compressed_name(options.output) ? packed(contents) : std::move(contents));
-  }
+  if(picture_file)
+    picture_file->write(picture(before, file));
+  write(options, form, file, clock, report, output);
   if(report_file)
     report_file->write(report.json(options, clock));
   if(eigenvalue_file)
     eigenvalue_file->write(eigenvalue_table(report.facts.eigenvalues));
   output.commit();
-  if(eigenvalue_file)
-    eigenvalue_file->commit();
-  if(report_file)
-    report_file->commit();
+  for(Output_file* other : {eigenvalue_file.get(), picture_file.get(), report_file.get()})
+    if(other)
+      other->commit();
   if(!options.is_quiet)
     say_all(options, report, clock);
   clock.clear();

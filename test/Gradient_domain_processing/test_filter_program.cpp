@@ -226,6 +226,9 @@ void test_usage()
   check_fails("mesh.off out.ply --noise-level 0.1", 2, "denoise");
   check_fails("mesh.off out.ply --operation denoise --noise-scale -1", 2, "noise-scale");
   check_fails("mesh.off out.ply --operation denoise --solver cg", 2, "contradicts");
+  check_fails("mesh.off out.ply --picture out.ply", 2, "--picture is a file of its own");
+  check_fails("mesh.off out.ply --picture -", 2, "--picture is a file of its own");
+  check_fails("mesh.off out.ply --signal curvature --picture out.png", 2, "--picture needs");
   check_fails("mesh.off out.ply --operation denoise --value-weight 0", 2, "--value-weight");
   check_fails("mesh.off out.ply --normal-fit edges", 2, "normal-to-position");
   check_fails("mesh.off out.ply --precision half", 2, "single, double");

@@ -90,6 +90,8 @@ struct Options
 
   // The options as words, for the summary and the report.
   std::string operation_name, signal_name, metric_name;
+
+  std::string picture; // of before and after
 };
 
 // Throws Usage_error. False if there is nothing to do, as help or version were printed.

@@ -166,7 +166,7 @@ void check_needs(const po::variables_map& given, const Options& o)
   require(given, {"iterations"}, is_filter && !is_fit, "--operation filter and a signal other than normal-to-position");
   require(given, {"non-shrinking"}, is_filter && !is_fit,
           "--operation filter and a signal other than normal-to-position");
-  require(given, {"restore-volume", "axes", "max-displacement", "keep-normals"}, o.moves_vertices(),
+  require(given, {"restore-volume", "axes", "max-displacement", "keep-normals", "picture"}, o.moves_vertices(),
           "a signal that moves vertices");
   require(given, {"missing-values"}, o.signal == Signal_kind::PROPERTY || o.fills_heights(),
           "--signal with the name of a property, or --axes with one axis");
@@ -210,6 +210,13 @@ void check_files(const Options& o)
                                 : *other != "-" && is_same_file(o.eigenvalues, *other)))
       throw Usage_error(std::string("--eigenvalues is also the ")
                         + (other == &o.input ? "input" : other == &o.output ? "output" : "report"));
+  for(const std::string* other : {&o.input, &o.output, &o.report, &o.eigenvalues})
+    if(!o.picture.empty() && (o.picture == "-" || (!other->empty() && is_same_file(o.picture, *other))))
+      throw Usage_error("--picture is a file of its own");
+#ifndef GRADIENT_DOMAIN_FILTER_HAS_PICTURES
+  if(!o.picture.empty())
+    throw Usage_error("--picture: this program was built without VTK, which draws it (CGAL_GDP_WITH_VIEWER)");
+#endif
 #ifndef GRADIENT_DOMAIN_FILTER_HAS_ZLIB
   if(is_compressed_name(o.output))
     throw Usage_error(o.output + ": this program was built without Boost.Iostreams, which packs files");

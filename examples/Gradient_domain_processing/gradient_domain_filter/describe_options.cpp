@@ -120,6 +120,8 @@ po::options_description file_options(Options& o)
     ("solver", po::value<std::string>()->default_value("auto"), "auto | eigen | cholmod | cg")
     ("threads", po::value(&o.threads), "at most so many threads (TBB)")
     ("report", po::value(&o.report)->value_name("FILE.json"), "write what was done, with times and memory")
+    ("picture", po::value(&o.picture)->value_name("FILE.png"),
+     "draw the surface before, after, and with its displacement (where the program was built with VTK)")
     ("verbose", "say what was done")
     ("quiet", "neither progress on the terminal nor remarks: nothing but errors")
     ("help", "this text")
