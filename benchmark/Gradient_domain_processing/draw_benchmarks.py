@@ -9,7 +9,8 @@
 
     draw_benchmarks.py RESULTS.json [--output FOLDER]
 
-FOLDER (the manual's, unless named) receives fig/performance.png, fig/growth.png and performance_tables.txt. Debian: python3-matplotlib.
+FOLDER (the manual's, unless named) receives fig/performance.png, fig/threads.png, fig/growth.png and performance_tables.txt. "threads" in
+RESULTS is what run_threads.py wrote; "earlier", if it is there, has parts and growth of another machine or day. Debian: python3-matplotlib.
 """
 
 import argparse
@@ -64,6 +65,49 @@ def draw_performance(report, path):
             axis.spines[side].set_visible(False)
     figure.tight_layout()
     figure.savefig(path, dpi=110)
+
+
+STAGES = {"read": "#c9b458", "validate": "#e0d29a", "curvature": "#7d9b76", "metric": "#b9cbb4", "analyze": "#5f7180", "assemble": "#9aa7b1",
+          "factor": "#b5482f", "solve": "#dd9a86", "write": "#8a7a2e"}
+
+
+def by_command(report):
+    """{command: [result]}, by number of threads."""
+    commands = {}
+    for result in report["threads"]:
+        commands.setdefault(result["command"], []).append(result)
+    return commands
+
+
+def draw_threads(report, path):
+    commands = by_command(report)
+    figure, axes = plt.subplots(1, len(commands), figsize=(11, 3.4))
+    for axis, (command, results) in zip(axes, commands.items()):
+        places = range(len(results))
+        bottom = [0] * len(results)
+        for stage, color in STAGES.items():
+            heights = [r["seconds"].get(stage, 0) for r in results]
+            axis.bar(places, heights, 0.7, bottom, color=color, label=stage)
+            bottom = [b + h for b, h in zip(bottom, heights)]
+        axis.bar(places, [r["seconds"]["whole"] - b for r, b in zip(results, bottom)], 0.7, bottom, color="#dddddd", label="other")
+        axis.set_xticks(places, [r["threads"] for r in results], fontsize=8)
+        axis.set_xlabel("threads", fontsize=8)
+        axis.set_title(command.replace(", conjugate gradients", ",\nconjugate gradients").replace(", Cholesky", ",\nCholesky"), fontsize=8)
+        axis.tick_params(labelsize=8)
+        for side in ("top", "right"):
+            axis.spines[side].set_visible(False)
+    axes[0].set_ylabel("seconds, the whole process", fontsize=8)
+    handles, labels = axes[0].get_legend_handles_labels()
+    figure.legend(handles, labels, ncol=len(labels), fontsize=7, frameon=False, loc="lower center")
+    figure.tight_layout(rect=(0, 0.06, 1, 1))
+    figure.savefig(path, dpi=110)
+
+
+def threads_table(report):
+    commands = by_command(report)
+    counts = [r["threads"] for r in next(iter(commands.values()))]
+    return table(["threads"] + [str(n) for n in counts],
+                 [[command] + [f"{r['seconds']['whole']:.2f}" for r in results] for command, results in commands.items()])
 
 
 def exponent(points):
@@ -166,17 +210,24 @@ def main():
     options = parser.parse_args()
     with open(options.results) as stream:
         report = json.load(stream)
+    earlier = report.get("earlier", report)
     draw_performance(report, os.path.join(options.output, "fig", "performance.png"))
-    draw_growth(report, os.path.join(options.output, "fig", "growth.png"))
-    machine = f"{report['processor']}, {report['cores']} cores; {report['version']}; {report['system']}; {report['date']}."
+    draw_threads(report, os.path.join(options.output, "fig", "threads.png"))
+    draw_growth(earlier, os.path.join(options.output, "fig", "growth.png"))
+
+    def measured(on):
+        return f"{on['processor']}, {on['cores']} cores; {on['version']}; {on['system']}; {on['date']}.<br><br>\n"
+
     with open(os.path.join(options.output, "performance_tables.txt"), "w") as stream:
-        stream.write(f"Measured on: {machine}<br><br>\nThe whole process, isotropic, seconds / MB (times slower than this package):\n\n"
+        stream.write("Measured on: " + measured(report) + "The whole process, isotropic, seconds / MB (times slower than this package):\n\n"
                      + comparison(report["isotropic"])
                      + "\nThe whole process, edge-aware, seconds / MB (times slower than this package with normals, with jets):\n\n"
                      + comparison(report["edge_aware"])
-                     + "\nThe stages of `smooth()`, seconds. Overhead is all but ordering, factorization and solution (so the right-hand side counts), relative to the latter two:\n\n"
-                     + stages_table(report) + "\nParts, seconds:\n\n" + parts_table(report)
-                     + "\nGrowth, whole process:\n\n" + growth_table(report))
+                     + "\nThe whole process by number of threads, on the same processor, seconds:\n\n" + threads_table(report)
+                     + "\n" + ("" if earlier is report else "What follows was measured on: " + measured(earlier))
+                     + "The stages of `smooth()`, seconds. Overhead is all but ordering, factorization and solution (so the right-hand side counts), "
+                     + "relative to the latter two:\n\n" + stages_table(earlier) + "\nParts, seconds:\n\n" + parts_table(earlier)
+                     + "\nGrowth, whole process:\n\n" + growth_table(earlier))
 
 
 if __name__ == "__main__":
