@@ -244,8 +244,8 @@ Mesh_piece make_piece(const Ranks& ranks, Partition& partition, bool welds, int 
   }
   piece.vertices = make_halo(ranks, first_vertex, triangles,
                              [](const Triangle& t) -> const Corners& { return t.vertices; });
-  ranks.together([&] { set_triangles(ranks, std::move(triangles), piece); });
   set_points(ranks, partition, piece);
+  ranks.together([&] { set_triangles(ranks, std::move(triangles), piece); });
   for(int v = 0; v < piece.rows.size(); ++v)
     piece.mesh.vertex_of_row.push_back(
       vertex_of_row[std::size_t(v)] < 0 ? 0 : piece.vertices.local(vertex_of_row[std::size_t(v)]));
