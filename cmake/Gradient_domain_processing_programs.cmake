@@ -2,6 +2,7 @@
 
 include_guard(GLOBAL)
 
+include(${CMAKE_CURRENT_LIST_DIR}/Gradient_domain_processing_mpi.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/Gradient_domain_processing_viewer.cmake)
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES AND PROJECT_IS_TOP_LEVEL)
@@ -118,5 +119,6 @@ function(gradient_domain_processing_filter)
   if(TARGET gradient_domain_drawing)
     target_link_libraries(gradient_domain_filter PRIVATE gradient_domain_drawing)
   endif()
+  gradient_domain_processing_mpi_filter()
   gradient_domain_processing_viewer()
 endfunction()

@@ -49,7 +49,7 @@ Petsc_system::Petsc_system(const Ranks& ranks,
   check(KSPCreate(ranks.comm(), &m_solver), "make a solver");
   check(KSPSetOperators(m_solver, m_matrix, m_matrix), "make a solver");
   check(KSPSetType(m_solver, KSPCG), "make a solver");
-  check(KSPSetTolerances(m_solver, 1e-13, 1e-300, PETSC_DEFAULT, 20000), "make a solver");
+  check(KSPSetTolerances(m_solver, 1e-11, 1e-300, PETSC_DEFAULT, 20000), "make a solver");
   choose_preconditioner();
   check(KSPSetFromOptions(m_solver), "use PETSC_OPTIONS");
   check(KSPSetUp(m_solver), "set up the preconditioner");
@@ -64,10 +64,11 @@ Petsc_system::~Petsc_system()
 }
 
 // How much the diagonal exceeds what the values alone would put there says how far information has to travel. Where it
-// is not far, the diagonal is preconditioner enough; else multigrid.
+// is not far, the diagonal is preconditioner enough; else multigrid. Measured on 950,424 vertices and two ranks: where
+// the diagonal takes 70 iterations, its three solutions cost about as much as multigrid, which takes 7 after a set-up.
 void Petsc_system::choose_preconditioner()
 {
-  constexpr double most_for_jacobi = 3000;
+  constexpr double most_for_jacobi = 30;
   Vec diagonal, sums;
   check(VecDuplicate(m_right, &diagonal), "make vectors");
   check(VecDuplicate(m_right, &sums), "make vectors");
@@ -84,6 +85,8 @@ void Petsc_system::choose_preconditioner()
     check(PCSetType(preconditioner, PCJACOBI), "make a preconditioner");
   else
   {
+    // where values weigh little, a small residual is no small error; a digit costs an iteration
+    check(KSPSetTolerances(m_solver, 1e-13, 1e-300, PETSC_DEFAULT, 20000), "make a solver");
 #ifdef PETSC_HAVE_HYPRE
     check(PCSetType(preconditioner, PCHYPRE), "make a preconditioner");
     check(PCHYPRESetType(preconditioner, "boomeramg"), "make a preconditioner");

@@ -56,7 +56,8 @@ public:
     Sparse_matrix matrix;
     filter.m_ranks.together([&] {
       const Indexed_triangles& mesh = filter.m_piece.mesh;
-      set_pattern(sparsity_pattern(mesh.one_rings(in_parallel), filter.m_dofs, false, in_parallel), in_parallel, matrix);
+      const Lists pattern = sparsity_pattern(mesh.one_rings(in_parallel), filter.m_dofs, false, in_parallel);
+      set_pattern(pattern, in_parallel, matrix);
       assemble(mesh, metrics, weights, filter.m_dofs, in_parallel, matrix);
     });
     m_petsc = std::make_unique<Petsc_system>(filter.m_ranks, matrix, filter.m_own_dofs.size(), filter.m_global_number);

@@ -29,7 +29,10 @@ public:
     Global stride = 0;
 
     // Of `size` ranks.
-    Global slice_begin(int rank, int size) const { return count / size * rank + (std::min)(count % size, Global(rank)); }
+    Global slice_begin(int rank, int size) const
+    {
+      return count / size * rank + (std::min)(count % size, Global(rank));
+    }
     int rank_of(Global i, int size) const;
   };
 

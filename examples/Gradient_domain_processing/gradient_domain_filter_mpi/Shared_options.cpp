@@ -14,9 +14,9 @@
 const char* const shared_options_help =
   "mpirun -n N gradient_domain_filter_mpi INPUT.ply OUTPUT.ply [options]\n"
   "\n"
-  "Filters a surface that is too large for one machine: gradient_domain_filter on many processes. Every process reads,\n"
-  "holds and writes its part of a binary PLY file of triangles. These options of gradient_domain_filter are known here,\n"
-  "and mean the same; its --help explains them:\n"
+  "Filters a surface that is too large for one machine: gradient_domain_filter on many processes. Every process\n"
+  "reads, holds and writes its part of a binary PLY file of triangles. These options of gradient_domain_filter are\n"
+  "known here, and mean the same; its --help explains them:\n"
   "\n"
   "  --operation filter|enhance-details --signal position|normal|color|PROPERTY,... --value-weight --gradient-weight\n"
   "  --gradient-scale --metric --curvature-weight --curvature --jet-degree --presmoothing-weight --non-shrinking\n"
